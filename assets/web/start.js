@@ -1,0 +1,121 @@
+// Fetches and starts the program, shows how far it is, and says in words why it does not run.
+// The program hides #loading when it has drawn its first frame (src/platform/web).
+
+const element = (id) => document.getElementById(id);
+const CURRENT_BROWSER = 'Use a current version of Firefox, Chrome, Edge or Safari.';
+
+/** Why the program cannot run: what happened, what to do, and details for a bug report. */
+class Failure extends Error {
+  constructor(what, todo, detail = '') {
+    super(what);
+    this.todo = todo;
+    this.detail = detail;
+  }
+}
+
+/** Shows a failure in place of everything else. The first one is the cause; later ones are its consequences. */
+function show(failure) {
+  if (!element('fatal').hidden) return;
+  element('fatal-what').textContent = failure.message;
+  element('fatal-todo').textContent = failure.todo;
+  element('fatal-detail').textContent = failure.detail;
+  element('fatal-more').hidden = !failure.detail;
+  element('loading').hidden = true;
+  element('fatal').hidden = false;
+}
+
+function checkBrowser() {
+  if (typeof WebAssembly !== 'object') {
+    throw new Failure(
+      'This browser does not run WebAssembly, which the program is made of.',
+      `Some browsers switch it off in a strict security mode: allow it for this page. Otherwise: ${CURRENT_BROWSER}`,
+    );
+  }
+  const context = document.createElement('canvas').getContext('webgl2');
+  if (!context) {
+    throw new Failure(
+      'This browser does not offer WebGL 2, with which the program draws.',
+      `Switch on hardware acceleration in the browser's settings. Otherwise: ${CURRENT_BROWSER}`,
+    );
+  }
+  context.getExtension('WEBGL_lose_context')?.loseContext();
+}
+
+const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
+
+/**
+ * Fetches `url` and reports its progress on the page. `size` is the number of bytes after
+ * decompression, 0 where it is not known. `arrived` in the answer becomes true with the last byte.
+ */
+async function download(url, size) {
+  const failed = (reason) =>
+    new Failure('The program could not be downloaded.', 'Check the connection and reload the page.', `${url}: ${reason}`);
+  const answer = await fetch(url, { credentials: 'same-origin' }).catch((error) => {
+    throw failed(error);
+  });
+  if (!answer.ok || !answer.body) throw failed(`HTTP status ${answer.status}`);
+
+  // Content-Length counts compressed bytes, the stream does not.
+  const total = size || (answer.headers.has('content-encoding') ? 0 : Number(answer.headers.get('content-length')));
+  const progress = { arrived: false, failed };
+  let bytes = 0;
+  const counter = new TransformStream({
+    transform(chunk, controller) {
+      bytes += chunk.byteLength;
+      if (total) element('bar').value = Math.min(bytes / total, 1);
+      element('progress').textContent = total
+        ? `Loading: ${megabytes(bytes)} of ${megabytes(total)} MB`
+        : `Loading: ${megabytes(bytes)} MB`;
+      controller.enqueue(chunk);
+    },
+    flush() {
+      progress.arrived = true;
+      element('progress').textContent = 'Starting…';
+    },
+  });
+  // Compiling while downloading needs this type, whatever the host says.
+  const response = new Response(answer.body.pipeThrough(counter), { headers: { 'content-type': 'application/wasm' } });
+  return { response, progress };
+}
+
+async function start() {
+  checkBrowser();
+  // Trunk writes both names, with their hashes, into the page.
+  const script = document.querySelector('link[rel="modulepreload"]');
+  const program = document.querySelector('link[rel="preload"][type="application/wasm"]');
+  const [{ response, progress }, { default: run }] = await Promise.all([
+    download(program.href, Number(program.dataset.bytes)),
+    import(script.href).catch((error) => {
+      throw new Failure('The program could not be downloaded.', 'Check the connection and reload the page.', String(error));
+    }),
+  ]);
+  try {
+    await run({ module_or_path: response });
+  } catch (error) {
+    if (!progress.arrived) throw progress.failed(error);
+    throw new Failure('The program arrived, but this browser could not start it.', CURRENT_BROWSER, String(error));
+  }
+}
+
+/** Traps that no panic announces: memory or stack exhausted. A panic has already been shown by the program. */
+function onUncaught(error) {
+  if (typeof WebAssembly === 'object' && (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)) {
+    show(new Failure('The program has stopped because of an error in it.', 'Reload the page to go on.', String(error)));
+  }
+}
+
+addEventListener('error', (event) => onUncaught(event.error));
+addEventListener('unhandledrejection', (event) => onUncaught(event.reason));
+element('reload').addEventListener('click', () => location.reload());
+element('app').addEventListener('webglcontextlost', () => {
+  show(
+    new Failure(
+      'The browser took the graphics away from this page, as some do when memory is short or a device sleeps.',
+      'Reload the page to go on.',
+    ),
+  );
+});
+
+start().catch((error) => {
+  show(error instanceof Failure ? error : new Failure('The program could not be started.', CURRENT_BROWSER, String(error)));
+});

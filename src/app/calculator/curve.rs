@@ -1,0 +1,313 @@
+//! The curve of distance against disparity for the current camera, with the current point on it, which can be dragged.
+
+use crate::app::command::Command;
+use crate::app::theme;
+use crate::app::widgets::picture;
+use crate::core::problem::{Field, Solution};
+use crate::core::quantity::{Length, LengthUnit, Pixels};
+use crate::core::stereo;
+use crate::formats::{number, report};
+use egui::accesskit::{Action, Role};
+use egui::{Align2, CursorIcon, Id, Key, Rect, Response, Sense, Stroke, Ui, pos2, vec2};
+use egui_plot::{GridMark, Line, Plot, PlotPoint, PlotPoints};
+
+pub const TITLE: &str = "Distance against disparity";
+
+/// What the picture remembers: the axes stay as they are while the point is dragged.
+#[derive(Debug, Default)]
+pub struct Curve {
+    held: Option<Model>,
+}
+
+/// The camera and the range of the axes. Coordinates on the plot are fractions of the two ends, so that every magnitude can
+/// be drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Model {
+    /// fx·b, as the depth at one pixel of disparity, m.
+    depth_at_one_px_m: f64,
+    disparity_end_px: f64,
+    depth_end_m: f64,
+}
+
+impl Model {
+    /// The model for a camera, around `disparity` if there is one.
+    fn new(focal_length: Pixels, baseline: Length, disparity: Option<Pixels>) -> Option<Self> {
+        let (low, high) = Field::Disparity.usual_range();
+        let around = disparity.map_or((low * high).sqrt(), Pixels::px);
+        let depth = stereo::depth(focal_length, baseline, Pixels::new(around)).m();
+        let model = Self {
+            depth_at_one_px_m: stereo::depth(focal_length, baseline, Pixels::new(1.0)).m(),
+            disparity_end_px: picture::round_up(around * 1.6),
+            depth_end_m: picture::round_up(depth * 1.6),
+        };
+        [model.depth_at_one_px_m, model.disparity_end_px, model.depth_end_m, around]
+            .iter()
+            .all(|value| value.is_normal())
+            .then_some(model)
+    }
+
+    /// Points of the hyperbola from the top of the picture to its right end, as fractions of the axes.
+    fn points(&self) -> Vec<[f64; 2]> {
+        const POINTS: u32 = 96;
+        // x·y of the hyperbola in fractions of the axes; the curve enters the picture at the top, where y is 1.
+        let product = self.depth_at_one_px_m / self.disparity_end_px / self.depth_end_m;
+        let start = product.min(1.0);
+        (0..=POINTS)
+            .map(|i| {
+                // Equal steps of ln x are equal steps of ln y: smooth at both ends.
+                let x = start.powf(1.0 - f64::from(i) / f64::from(POINTS));
+                [x, product / x]
+            })
+            .collect()
+    }
+
+    /// The disparity at fraction `x` of the axis, rounded to what the picture, `width` points wide, can resolve.
+    fn disparity_at(&self, x: f64, width: f32) -> f64 {
+        let resolution = 10f64.powf((self.disparity_end_px / f64::from(width.max(1.0))).log10().floor());
+        let x = x.clamp(0.0, 1.0);
+        let disparity = ((x * self.disparity_end_px / resolution).round() * resolution).max(resolution);
+        // As it will be written: 33.3, not the 33.300000000000004 of the multiplication.
+        number::plain(disparity).parse().unwrap_or(disparity)
+    }
+}
+
+impl Curve {
+    /// Draws the picture; a drag of the point is added to `commands`.
+    pub fn show(&mut self, ui: &mut Ui, solution: &Solution, unit: LengthUnit, commands: &mut Vec<Command>) {
+        let problem = &solution.problem;
+        let disparity = problem.disparity.filter(|_| solution.stereo.distance().is_some());
+        let model = match (problem.focal_length, problem.baseline) {
+            (Some(f), Some(b)) => self.held.or_else(|| Model::new(f, b, disparity)),
+            _ => None,
+        };
+        let Some(model) = model else {
+            self.held = None;
+            picture::empty(
+                ui,
+                TITLE,
+                "How fast the distance grows as the disparity shrinks, once focal length and baseline are known.",
+            );
+            return;
+        };
+        let response = plot(ui, &model, unit);
+        let point = disparity.zip(solution.stereo.distance());
+        let description = match point {
+            Some((disparity, distance)) => format!(
+                "Curve of distance against disparity, falling as one over the disparity. At {} px the distance is {}.",
+                number::plain(disparity.px()),
+                report::length(Some(distance), unit)
+            ),
+            None => {
+                "Curve of distance against disparity, falling as one over the disparity. Enter a disparity to see its point.".to_owned()
+            }
+        };
+        picture::describe(ui, &response.response, TITLE, &description);
+        if let Some(point) = point {
+            self.handle(ui, &model, &response, point, unit, commands);
+        }
+    }
+
+    /// The point: painted, and moved by pointer, arrow keys and assistive technology.
+    fn handle(
+        &mut self,
+        ui: &mut Ui,
+        model: &Model,
+        plot: &egui_plot::PlotResponse<()>,
+        (disparity, distance): (Pixels, Length),
+        unit: LengthUnit,
+        commands: &mut Vec<Command>,
+    ) {
+        let frame = plot.response.rect;
+        let at = plot.transform.position_from_point(&PlotPoint::new(
+            disparity.px() / model.disparity_end_px,
+            (distance.m() / model.depth_end_m).min(1.0),
+        ));
+        let target = Rect::from_center_size(at, vec2(theme::CONTROL_HEIGHT_TOUCH, theme::CONTROL_HEIGHT_TOUCH));
+        let handle = ui.interact(target, Id::unique("disparity point"), Sense::click_and_drag());
+        let words = format!("{} px → {}", number::plain(disparity.px()), report::length(Some(distance), unit));
+        ui.accesskit_node_builder(handle.id, |node| {
+            node.set_role(Role::Slider);
+            node.set_label("Disparity of the point, in pixels");
+            node.set_numeric_value(disparity.px());
+            node.set_value(words.clone());
+            node.add_action(Action::Increment);
+            node.add_action(Action::Decrement);
+        });
+        paint_point(ui, &handle, frame, at, &words);
+
+        let mut target = None;
+        if handle.drag_started() {
+            self.held = Some(*model);
+        }
+        if handle.dragged()
+            && let Some(pointer) = handle.interact_pointer_pos()
+        {
+            target = Some(plot.transform.value_from_position(pointer).x);
+        }
+        let steps = steps(ui, &handle);
+        if steps != 0 {
+            target = Some(disparity.px() / model.disparity_end_px + f64::from(steps) / 100.0);
+        }
+        if let Some(x) = target {
+            let moved = model.disparity_at(x, frame.width());
+            if moved != disparity.px() {
+                commands.push(Command::DragDisparity(moved));
+            }
+        }
+        if handle.drag_stopped() {
+            self.held = None;
+        }
+        if handle.drag_stopped() || handle.lost_focus() {
+            commands.push(Command::Settle);
+        }
+        if handle.gained_focus() {
+            handle.scroll_to_me(None);
+        }
+        handle.on_hover_cursor(CursorIcon::Grab);
+    }
+}
+
+/// Hundredths of the axis that the keyboard or assistive technology asks to move the point by.
+fn steps(ui: &Ui, handle: &Response) -> i32 {
+    let asked = |input: &egui::InputState, action| i32::try_from(input.num_accesskit_action_requests(handle.id, action)).unwrap_or(0);
+    let mut steps = ui.input(|input| asked(input, Action::Increment) - asked(input, Action::Decrement));
+    if handle.has_focus() {
+        let arrows = egui::EventFilter {
+            horizontal_arrows: true,
+            vertical_arrows: true,
+            ..Default::default()
+        };
+        ui.memory_mut(|memory| memory.set_focus_lock_filter(handle.id, arrows));
+        ui.input_mut(|input| {
+            for (key, sign) in [(Key::ArrowRight, 1), (Key::ArrowUp, 1), (Key::ArrowLeft, -1), (Key::ArrowDown, -1)] {
+                for (modifiers, size) in [(egui::Modifiers::SHIFT, 10), (egui::Modifiers::NONE, 1)] {
+                    steps += sign * size * i32::try_from(input.count_and_consume_key(modifiers, key)).unwrap_or(0);
+                }
+            }
+        });
+    }
+    steps
+}
+
+fn paint_point(ui: &Ui, handle: &Response, frame: Rect, at: egui::Pos2, words: &str) {
+    let palette = theme::palette(ui);
+    let held = handle.hovered() || handle.dragged() || handle.has_focus();
+    let color = if held { palette.text } else { palette.blue };
+    ui.painter().circle(at, 7.0, palette.surface, Stroke::new(3.0, color));
+    if handle.has_focus() {
+        ui.painter().circle_stroke(at, 13.0, Stroke::new(2.0, palette.blue));
+    }
+    label(ui, frame, at, words);
+}
+
+/// Writes `text` beside `at`, on the side where there is room.
+fn label(ui: &Ui, frame: Rect, at: egui::Pos2, text: &str) {
+    let palette = theme::palette(ui);
+    let galley = ui
+        .painter()
+        .layout_no_wrap(text.to_owned(), theme::regular(theme::SMALL_SIZE), palette.text);
+    let fits_right = at.x + 14.0 + galley.size().x < frame.right();
+    let x = if fits_right {
+        at.x + 14.0
+    } else {
+        (at.x - 14.0 - galley.size().x).max(frame.left())
+    };
+    let y = (at.y - 12.0 - galley.size().y).clamp(frame.top(), frame.bottom() - galley.size().y);
+    let rect = Align2::LEFT_TOP.anchor_size(pos2(x, y), galley.size());
+    ui.painter().rect_filled(rect.expand(2.0), 3.0, palette.surface);
+    ui.painter().galley(rect.min, galley, palette.text);
+}
+
+fn plot(ui: &mut Ui, model: &Model, unit: LengthUnit) -> egui_plot::PlotResponse<()> {
+    let palette = theme::palette(ui);
+    let depth_end = Length::from_m(model.depth_end_m).in_unit(unit);
+    let disparity_end = model.disparity_end_px;
+    let marks = |end: f64| -> Vec<GridMark> {
+        picture::ticks(end, 4)
+            .into_iter()
+            .map(|tick| GridMark {
+                value: tick / end,
+                step_size: 1.0,
+            })
+            .collect()
+    };
+    let (x_marks, y_marks) = (marks(disparity_end), marks(depth_end));
+    let points = model.points();
+    picture::plot_type(ui);
+    Plot::new("curve")
+        .height(theme::PICTURE_HEIGHT)
+        .allow_drag(false)
+        .allow_scroll(false)
+        .allow_zoom(false)
+        .allow_boxed_zoom(false)
+        .allow_double_click_reset(false)
+        .show_x(false)
+        .show_y(false)
+        .show_background(false)
+        .sense(Sense::hover())
+        .set_margin_fraction(egui::Vec2::ZERO)
+        .default_x_bounds(0.0, 1.0)
+        .default_y_bounds(0.0, 1.0)
+        .auto_bounds(false)
+        .grid_color(palette.line)
+        .grid_fade(0.0)
+        .x_axis_label("Disparity (px)")
+        .x_grid_spacer(move |_| x_marks.clone())
+        .y_grid_spacer(move |_| y_marks.clone())
+        .x_axis_formatter(move |mark, _| number::plain(mark.value * disparity_end))
+        .y_axis_formatter(move |mark, _| {
+            if mark.value == 0.0 {
+                "0".to_owned()
+            } else {
+                format!("{} {}", number::plain(mark.value * depth_end), unit.symbol())
+            }
+        })
+        .show(ui, |plot| {
+            plot.line(
+                Line::new("distance", PlotPoints::from(points))
+                    .color(palette.blue)
+                    .width(2.5)
+                    .allow_hover(false),
+            );
+        })
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    fn mug() -> Model {
+        Model::new(Pixels::new(700.0), Length::from_m(0.1), Some(Pixels::new(50.0))).unwrap()
+    }
+
+    #[test]
+    fn the_axes_hold_the_current_point_with_room_around_it() {
+        let model = mug();
+        assert_eq!((model.disparity_end_px, model.depth_end_m), (100.0, 2.5));
+    }
+
+    #[test]
+    fn every_point_of_the_curve_obeys_the_formula_and_lies_in_the_picture() {
+        let model = mug();
+        for [x, y] in model.points() {
+            let (disparity, depth) = (x * model.disparity_end_px, y * model.depth_end_m);
+            assert!((disparity * depth / 70.0 - 1.0).abs() < 1e-9);
+            assert!((0.0..=1.000_001).contains(&x) && (0.0..=1.000_001).contains(&y));
+        }
+    }
+
+    #[test]
+    fn a_drag_gives_round_disparities_above_zero() {
+        let model = mug();
+        assert_eq!(model.disparity_at(0.6, 350.0), 60.0);
+        assert_eq!(model.disparity_at(-3.0, 350.0), 0.1);
+        assert!((model.disparity_at(0.333_33, 350.0) - 33.3).abs() < 1e-9);
+    }
+
+    #[test]
+    fn extreme_cameras_have_no_curve_rather_than_a_broken_one() {
+        assert_eq!(Model::new(Pixels::new(1e300), Length::from_m(1e300), None), None);
+        assert!(Model::new(Pixels::new(1e150), Length::from_m(1e-150), None).is_some());
+    }
+}

@@ -1,0 +1,174 @@
+//! The calculator: the form, and everything that follows from it.
+
+mod bars;
+mod curve;
+mod form;
+mod results;
+mod table;
+mod top_view;
+
+use super::command::Command;
+use super::sheet::Sheet;
+use super::theme::{self, Layout};
+use super::widgets::{cards, text};
+use crate::core::quantity::LengthUnit;
+use crate::formats::inputs::Assessment;
+use crate::formats::report;
+use egui::{Align, Id, RichText, ScrollArea, Ui};
+
+/// What the screen remembers between frames beside the inputs.
+#[derive(Debug, Default)]
+pub struct Calculator {
+    /// *Calculate Distance* was asked for: missing inputs are marked until something is typed.
+    pub marked: bool,
+    /// Bring the results into view in the next frame.
+    pub reveal_results: bool,
+    curve: curve::Curve,
+}
+
+impl Calculator {
+    /// Draws the screen. The sheet is refreshed after the form, so that the results belong to what is in it now.
+    pub fn show(&mut self, ui: &mut Ui, layout: Layout, sheet: &mut Sheet, result_unit: LengthUnit, commands: &mut Vec<Command>) {
+        let gap = layout.gap();
+        match layout {
+            Layout::Phone => {
+                page_scroll(ui, "calculator", |ui| {
+                    ui.spacing_mut().item_spacing.y = gap;
+                    self.form(ui, layout, sheet, commands);
+                    self.results(ui, layout, sheet.assessment(), result_unit, commands);
+                });
+            }
+            Layout::Tablet | Layout::Desktop | Layout::Wide => {
+                let all = ui.available_rect_before_wrap();
+                let form_width = if layout == Layout::Tablet { 320.0 } else { theme::FORM_WIDTH };
+                let (left, right) = all.split_left_right_at_x(all.left() + form_width);
+                let column = |ui: &mut Ui, rect, id, add_contents: &mut dyn FnMut(&mut Ui)| {
+                    let top_down = egui::Layout::top_down(Align::Min);
+                    ui.scope_builder(egui::UiBuilder::new().max_rect(rect).layout(top_down), |ui| {
+                        page_scroll(ui, id, |ui| {
+                            ui.spacing_mut().item_spacing.y = gap;
+                            add_contents(ui);
+                        });
+                    });
+                };
+                column(ui, left, "form", &mut |ui| self.form(ui, layout, sheet, commands));
+                column(ui, right.with_min_x(right.left() + gap), "results", &mut |ui| {
+                    self.results(ui, layout, sheet.assessment(), result_unit, commands);
+                });
+            }
+        }
+    }
+
+    fn form(&mut self, ui: &mut Ui, layout: Layout, sheet: &mut Sheet, commands: &mut Vec<Command>) {
+        let (inputs, assessment) = sheet.parts();
+        form::show(ui, layout, inputs, assessment, self.marked, commands);
+        if sheet.refresh() {
+            // Something is being typed: what is still missing is no news any more.
+            self.marked = false;
+        }
+    }
+
+    fn results(&mut self, ui: &mut Ui, layout: Layout, assessment: &Assessment, unit: LengthUnit, commands: &mut Vec<Command>) {
+        let gap = layout.gap();
+        let solution = &assessment.solution;
+        let top = ui.cursor().min;
+        results::show(ui, layout, solution, unit, commands);
+        if std::mem::take(&mut self.reveal_results) {
+            let rect = egui::Rect::from_min_max(top, ui.min_rect().max);
+            ui.scroll_to_rect(rect, Some(Align::Min));
+        }
+        let curve = &mut self.curve;
+        let mut card = |ui: &mut Ui, which: Card, row: Id| {
+            cards::card(ui, which.title(), |ui| {
+                match which {
+                    Card::Bars => bars::show(ui, solution, unit),
+                    Card::Curve => curve.show(ui, solution, unit, commands),
+                    Card::TopView => top_view::show(ui, solution, unit),
+                    Card::Intermediate => intermediate(ui, assessment),
+                }
+                cards::fill_height(ui, row);
+            });
+        };
+        let columns = layout.columns();
+        let pictures: &[Card] = match layout {
+            Layout::Wide => &[Card::Bars, Card::Curve, Card::TopView],
+            _ => &[Card::Bars, Card::Curve, Card::Intermediate, Card::TopView],
+        };
+        for (number, row) in pictures.chunks(columns).enumerate() {
+            let id = Id::unique(("row of cards", layout.columns(), number));
+            cards::row(ui, row, gap, |ui, &which| card(ui, which, id));
+        }
+        if layout == Layout::Wide {
+            let id = Id::unique("intermediate and table");
+            cards::row(ui, &[Some(Card::Intermediate), None], gap, |ui, which| match which {
+                Some(which) => card(ui, *which, id),
+                None => table::show(ui, solution),
+            });
+        } else {
+            table::show(ui, solution);
+        }
+        ui.add_space(gap);
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Card {
+    Bars,
+    Curve,
+    Intermediate,
+    TopView,
+}
+
+impl Card {
+    const fn title(self) -> &'static str {
+        match self {
+            Self::Bars => bars::TITLE,
+            Self::Curve => curve::TITLE,
+            Self::Intermediate => "Intermediate values",
+            Self::TopView => top_view::TITLE,
+        }
+    }
+}
+
+/// A column that scrolls on its own.
+fn page_scroll(ui: &mut Ui, id: &str, add_contents: impl FnOnce(&mut Ui)) {
+    ScrollArea::vertical()
+        .id_salt(id)
+        .auto_shrink([false, false])
+        .show(ui, add_contents);
+}
+
+fn intermediate(ui: &mut Ui, assessment: &Assessment) {
+    let solution = &assessment.solution;
+    let metres = |length| report::length(length, LengthUnit::Metre);
+    let width_px = solution.estimated_width_px.map_or_else(
+        || crate::formats::number::NO_NUMBER.to_owned(),
+        |width| crate::formats::number::significant(width.px(), report::DIGITS),
+    );
+    table::pairs(
+        ui,
+        "Intermediate values",
+        &[
+            (report::ESTIMATED_WIDTH_PX, format!("{width_px} px")),
+            (report::ESTIMATED_WIDTH_M, metres(solution.estimated_width)),
+            ("Object distance (D, stereo)", metres(solution.stereo.distance())),
+            ("Object distance (D, monocular)", metres(solution.monocular.distance())),
+        ],
+    );
+    text::caption(ui, report::width_check(solution));
+}
+
+/// The bar that keeps the result in sight on a phone.
+pub fn result_bar(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
+    let palette = theme::palette(ui);
+    ui.horizontal_wrapped(|ui| {
+        let said = results::headline(&assessment.solution, unit);
+        for (name, value) in said {
+            if let Some(name) = name {
+                ui.label(RichText::new(name).color(palette.muted));
+            }
+            ui.label(RichText::new(value).font(theme::strong(18.0)).color(palette.text));
+            ui.add_space(2.0 * theme::STEP);
+        }
+    });
+}

@@ -1,0 +1,127 @@
+//! The highlighted result: what both methods say, each as soon as its inputs are complete.
+
+use crate::app::command::Command;
+use crate::app::theme::{self, Layout};
+use crate::app::widgets::quantity_field::length_unit_choice;
+use crate::app::widgets::{cards, text};
+use crate::core::problem::{Method, Solution};
+use crate::core::quantity::LengthUnit;
+use crate::formats::report;
+use egui::accesskit::Role;
+use egui::{Id, RichText, Ui, UiBuilder};
+
+/// What there is to say in one line: pairs of a method's name and its distance, or "–.– m" alone.
+pub fn headline(solution: &Solution, unit: LengthUnit) -> Vec<(Option<&'static str>, String)> {
+    let found: Vec<_> = Method::ALL
+        .into_iter()
+        .filter_map(|method| {
+            let distance = solution.outcome(method).distance()?;
+            Some((Some(method.name()), report::length(Some(distance), unit)))
+        })
+        .collect();
+    if found.is_empty() {
+        vec![(None, report::length(None, unit))]
+    } else {
+        found
+    }
+}
+
+/// Draws the result cards.
+pub fn show(ui: &mut Ui, layout: Layout, solution: &Solution, unit: LengthUnit, commands: &mut Vec<Command>) {
+    let palette = theme::palette(ui);
+    ui.horizontal(|ui| {
+        text::heading(ui, "Results", 2, theme::strong(16.0), palette.text);
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let mut chosen = unit;
+            ui.spacing_mut().interact_size.y = if layout == Layout::Phone {
+                theme::CONTROL_HEIGHT_TOUCH
+            } else {
+                30.0
+            };
+            length_unit_choice(ui, "unit of the results", "Unit of the results", &mut chosen, 76.0);
+            if chosen != unit {
+                commands.push(Command::ShowResultsIn(chosen));
+            }
+            text::caption(ui, "in");
+        });
+    });
+    let found: Vec<Method> = Method::ALL
+        .into_iter()
+        .filter(|&method| solution.outcome(method).distance().is_some())
+        .collect();
+    if found.is_empty() {
+        card(ui, "Result", |ui| empty(ui, unit));
+        return;
+    }
+    let columns = if layout.columns() == 1 { 1 } else { found.len() };
+    for (number, row) in found.chunks(columns).enumerate() {
+        let id = Id::unique(("results", columns, number));
+        cards::row(ui, row, layout.gap(), |ui, &method| {
+            card(ui, method.name(), |ui| {
+                result(ui, solution, method, unit);
+                cards::fill_height(ui, id);
+            });
+        });
+    }
+}
+
+fn card(ui: &mut Ui, name: &str, add_contents: impl FnOnce(&mut Ui)) {
+    let builder = UiBuilder::new().accessibility_role(Role::Region).accessibility_label(name);
+    ui.scope_builder(builder, |ui| {
+        theme::card(theme::palette(ui)).show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            add_contents(ui);
+        });
+    });
+}
+
+fn number(ui: &mut Ui, value: &str, unit: LengthUnit, name: &str) {
+    let palette = theme::palette(ui);
+    // One label, so that it is read, found and copied as one: "1.400 m".
+    let mut job = egui::text::LayoutJob::default();
+    job.append(
+        value,
+        0.0,
+        egui::TextFormat::simple(theme::strong(theme::RESULT_SIZE), palette.text),
+    );
+    let mut small = egui::TextFormat::simple(theme::regular(theme::RESULT_UNIT_SIZE), palette.muted);
+    // Text of two sizes is aligned at the bottom of the line; the taller line lifts the small one to the same baseline.
+    small.line_height = Some(theme::RESULT_UNIT_SIZE * 1.21 + (theme::RESULT_SIZE - theme::RESULT_UNIT_SIZE) * 0.48);
+    job.append(&format!(" {}", unit.symbol()), 2.0, small);
+    let response = ui.label(job);
+    text::announce(ui, &response);
+    ui.accesskit_node_builder(response.id, |node| node.set_description(name));
+}
+
+fn result(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
+    let palette = theme::palette(ui);
+    let (front, back) = text::badge_colors(palette, method);
+    text::badge(ui, method.name(), front, back);
+    let distance = solution.outcome(method).distance();
+    number(
+        ui,
+        &report::length_number(distance, unit),
+        unit,
+        &format!("{} distance", method.name()),
+    );
+    if method == Method::Stereo
+        && let Some(range) = report::one_pixel_around(solution, unit)
+    {
+        text::caption(ui, format!("{range} with one pixel of disparity more or less"));
+    }
+    text::caption(ui, method.formula());
+    if let Some(formula) = report::formula_with_numbers(solution, method) {
+        ui.label(RichText::new(formula).size(theme::SMALL_SIZE).color(palette.text));
+    }
+}
+
+fn empty(ui: &mut Ui, unit: LengthUnit) {
+    number(ui, crate::formats::number::NO_NUMBER, unit, "Distance");
+    for method in Method::ALL {
+        let [first, second, third] = method.fields().map(|field| field.symbol());
+        text::caption(
+            ui,
+            format!("{}: {} needs {first}, {second} and {third}.", method.name(), method.formula()),
+        );
+    }
+}

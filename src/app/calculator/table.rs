@@ -1,0 +1,77 @@
+//! The nine rows of inputs and outputs, and pairs of a name and a value.
+
+use crate::app::theme;
+use crate::app::widgets::cards;
+use crate::app::widgets::table::{Cell, row, table};
+use crate::core::problem::Solution;
+use crate::formats::report::{self, Row};
+use egui::accesskit::Role;
+use egui::text::LayoutJob;
+use egui::{FontId, Ui};
+
+/// The table "Key input parameters and outputs".
+pub fn show(ui: &mut Ui, solution: &Solution) {
+    const TITLE: &str = "Key input parameters and outputs";
+    cards::card(ui, TITLE, |ui| {
+        let narrow = ui.available_width() < 480.0;
+        let shares = if narrow { [1.2, 0.8, 0.7, 1.3] } else { [1.25, 0.55, 0.5, 1.7] };
+        let size = if narrow { theme::SMALL_SIZE } else { theme::BODY_SIZE };
+        let palette = theme::palette(ui);
+        table(ui, TITLE, |ui| {
+            let header = |text, align_right| Cell {
+                text: LayoutJob::simple_singleline(String::from(text), theme::strong(theme::SMALL_SIZE), palette.muted),
+                role: Role::ColumnHeader,
+                align_right,
+            };
+            let headers = vec![
+                header("Parameter", false),
+                header("Value", true),
+                header("Unit", false),
+                header("Description", false),
+            ];
+            row(ui, headers, &shares);
+            for Row {
+                parameter,
+                value,
+                unit,
+                description,
+            } in report::parameter_rows(solution)
+            {
+                let cells = vec![
+                    cell(ui, parameter, theme::regular(size), Role::RowHeader),
+                    Cell {
+                        align_right: true,
+                        ..cell(ui, &value, theme::strong(size), Role::Cell)
+                    },
+                    cell(ui, unit, theme::regular(size), Role::Cell),
+                    cell(ui, description, theme::regular(size), Role::Cell),
+                ];
+                row(ui, cells, &shares);
+            }
+        });
+    });
+}
+
+/// A table of names and values without a header, named `title`.
+pub fn pairs(ui: &mut Ui, title: &str, rows: &[(&str, String)]) {
+    table(ui, title, |ui| {
+        for (name, value) in rows {
+            let cells = vec![
+                cell(ui, name, theme::regular(theme::BODY_SIZE), Role::RowHeader),
+                Cell {
+                    align_right: true,
+                    ..cell(ui, value, theme::strong(theme::BODY_SIZE), Role::Cell)
+                },
+            ];
+            row(ui, cells, &[1.9, 1.0]);
+        }
+    });
+}
+
+fn cell(ui: &Ui, text: &str, font: FontId, role: Role) -> Cell {
+    Cell {
+        text: LayoutJob::simple(text.to_owned(), font, theme::palette(ui).text, 0.0),
+        role,
+        align_right: false,
+    }
+}

@@ -1,0 +1,326 @@
+//! The scene from above, to scale: cameras, lines of sight, object. A pure model, a pure layout, and painting.
+
+use crate::app::theme::{self, Palette};
+use crate::app::widgets::picture;
+use crate::core::problem::Solution;
+use crate::core::quantity::{Length, LengthUnit};
+use crate::formats::{number, report};
+use egui::{Align2, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, pos2, vec2};
+
+pub const TITLE: &str = "Top view, to scale";
+
+/// Cameras that would stand closer than this are enlarged in an inset, points.
+const CLOSE: f32 = 24.0;
+
+/// Draws the picture.
+pub fn show(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
+    let palette = theme::palette(ui);
+    let Some(model) = Model::new(solution) else {
+        picture::empty(
+            ui,
+            TITLE,
+            "The cameras, their lines of sight and the object from above, as soon as a distance is known.",
+        );
+        return;
+    };
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::PICTURE_HEIGHT), Sense::hover());
+    let scene = Scene::new(&model, rect.shrink(4.0));
+    paint(&ui.painter().with_clip_rect(rect), palette, &model, &scene, unit);
+    picture::describe(ui, &response, TITLE, &model.description(unit));
+    super::super::widgets::text::caption(ui, model.remark());
+}
+
+/// What stands where, in metres: x to the right, z away from the cameras, the middle of the cameras at the origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Model {
+    depth_m: f64,
+    /// Two cameras this far apart, or one.
+    baseline_m: Option<f64>,
+    /// The object's width, where it is known.
+    width_m: Option<f64>,
+}
+
+impl Model {
+    /// The stereo scene where there is a stereo distance, else the monocular one.
+    fn new(solution: &Solution) -> Option<Self> {
+        let problem = &solution.problem;
+        let model = match solution.stereo.distance() {
+            Some(depth) => Self {
+                depth_m: depth.m(),
+                baseline_m: problem.baseline.map(Length::m),
+                width_m: problem.real_width.map(Length::m),
+            },
+            None => Self {
+                depth_m: solution.monocular.distance()?.m(),
+                baseline_m: None,
+                width_m: problem.real_width.map(Length::m),
+            },
+        };
+        // Painting is done in f32: what f32 cannot tell apart is not worth a picture.
+        let drawable = |length: f64| (1e-30..1e30).contains(&length);
+        [Some(model.depth_m), model.baseline_m, model.width_m]
+            .into_iter()
+            .flatten()
+            .all(drawable)
+            .then_some(model)
+    }
+
+    const fn remark(&self) -> &'static str {
+        match self.baseline_m {
+            Some(_) => "The object is drawn midway between the cameras; where it stands sideways needs more than a disparity.",
+            None => "The object is drawn straight ahead of the camera, facing it.",
+        }
+    }
+
+    fn description(&self, unit: LengthUnit) -> String {
+        let length = |metres| report::length(Some(Length::from_m(metres)), unit);
+        let cameras = self.baseline_m.map_or_else(
+            || "One camera".to_owned(),
+            |baseline| format!("Two cameras {} apart", length(baseline)),
+        );
+        let width = self.width_m.map_or_else(String::new, |width| format!(", {} wide", length(width)));
+        format!("{cameras}; the object {} away{width}. {}", length(self.depth_m), self.remark())
+    }
+}
+
+/// Where everything is on the screen.
+#[derive(Clone, Debug, PartialEq)]
+struct Scene {
+    points_per_metre: f64,
+    cameras: Vec<Pos2>,
+    object: Pos2,
+    /// Ends of the object's width.
+    edges: Option<[Pos2; 2]>,
+    inset: Option<Inset>,
+}
+
+/// The cameras enlarged.
+#[derive(Clone, Debug, PartialEq)]
+struct Inset {
+    frame: Rect,
+    cameras: [Pos2; 2],
+    factor: f64,
+}
+
+impl Scene {
+    fn new(model: &Model, frame: Rect) -> Self {
+        const MARGIN: f32 = 26.0;
+        const FAR_MARGIN: f32 = 22.0;
+        let height = f64::from((frame.height() - MARGIN - FAR_MARGIN).max(1.0));
+        let width = f64::from((frame.width() * 0.8).max(1.0));
+        let widest = model.baseline_m.unwrap_or(0.0).max(model.width_m.unwrap_or(0.0));
+        // Equal axes: the one scale that fits both.
+        let points_per_metre = (height / model.depth_m).min(if widest > 0.0 { width / widest } else { f64::INFINITY });
+        let origin = pos2(frame.center().x, frame.bottom() - MARGIN);
+        let place = |x_m: f64, z_m: f64| pos2(origin.x + to_f32(x_m * points_per_metre), origin.y - to_f32(z_m * points_per_metre));
+        let cameras = match model.baseline_m {
+            Some(baseline) => vec![place(-baseline / 2.0, 0.0), place(baseline / 2.0, 0.0)],
+            None => vec![place(0.0, 0.0)],
+        };
+        let object = place(0.0, model.depth_m);
+        let inset = model.baseline_m.and_then(|baseline| {
+            let apart = baseline * points_per_metre;
+            (apart < f64::from(CLOSE)).then(|| {
+                let frame = Rect::from_min_size(frame.left_bottom() - vec2(0.0, 92.0), vec2((frame.width() * 0.36).min(132.0), 92.0));
+                let shown = frame.width() * 0.5;
+                let y = frame.bottom() - 34.0;
+                Inset {
+                    frame,
+                    cameras: [-0.5, 0.5].map(|side| pos2(frame.center().x + side * shown, y)),
+                    factor: f64::from(shown) / apart,
+                }
+            })
+        });
+        Self {
+            points_per_metre,
+            cameras,
+            object,
+            edges: model
+                .width_m
+                .map(|width| [place(-width / 2.0, model.depth_m), place(width / 2.0, model.depth_m)]),
+            inset,
+        }
+    }
+}
+
+fn paint(painter: &Painter, palette: &Palette, model: &Model, scene: &Scene, unit: LengthUnit) {
+    let sight = Stroke::new(1.2, palette.blue);
+    let frame = painter.clip_rect();
+    // One camera sees the two edges of an object of known width; two cameras each see the point itself.
+    let targets: Vec<Pos2> = match (&scene.edges, model.baseline_m) {
+        (Some(edges), None) => edges.to_vec(),
+        _ => vec![scene.object],
+    };
+    for &camera in &scene.cameras {
+        for &target in &targets {
+            painter.extend(Shape::dashed_line(&[camera, target], sight, 4.0, 3.0));
+        }
+    }
+    if let Some(edges) = scene.edges {
+        painter.line_segment(edges, Stroke::new(3.0, palette.orange));
+    }
+    painter.circle_filled(scene.object, 4.5, palette.blue);
+    for &camera in &scene.cameras {
+        camera_body(painter, palette, camera);
+    }
+    let text = format!("object {}", report::length(Some(Length::from_m(model.depth_m)), unit));
+    let beside = scene.edges.map_or(scene.object, |[_, right]| right).max(scene.object);
+    write(painter, palette, beside + vec2(10.0, 0.0), Align2::LEFT_CENTER, &text, frame);
+    if let Some(baseline) = model.baseline_m {
+        let text = baseline_text(baseline, unit);
+        let below = pos2(frame.center().x, frame.bottom() - 9.0);
+        if scene.inset.is_none() {
+            write(painter, palette, below, Align2::CENTER_CENTER, &text, frame);
+        }
+    }
+    if let Some(inset) = &scene.inset {
+        paint_inset(painter, palette, model, inset, unit);
+    }
+    paint_scale(painter, palette, scene, unit);
+}
+
+fn paint_inset(painter: &Painter, palette: &Palette, model: &Model, inset: &Inset, unit: LengthUnit) {
+    painter.rect(
+        inset.frame,
+        theme::CONTROL_RADIUS,
+        palette.surface,
+        Stroke::new(1.0, palette.line),
+        egui::StrokeKind::Inside,
+    );
+    let [left, right] = inset.cameras;
+    // The true directions of sight: steep, as the object is many baselines away.
+    let lean = to_f32(model.baseline_m.unwrap_or(0.0) / 2.0 / model.depth_m);
+    let up = left.y - inset.frame.top() - 20.0;
+    for (camera, side) in [(left, 1.0), (right, -1.0)] {
+        painter.extend(Shape::dashed_line(
+            &[camera, camera + vec2(side * lean * up, -up)],
+            Stroke::new(1.2, palette.blue),
+            4.0,
+            3.0,
+        ));
+        camera_body(painter, palette, camera);
+    }
+    let label = |position, anchor, text: &str| write(painter, palette, position, anchor, text, inset.frame.shrink(4.0));
+    let enlarged = if inset.factor < 99_999.0 {
+        format!("cameras × {}", number::significant(inset.factor, 2))
+    } else {
+        "cameras, enlarged".to_owned()
+    };
+    label(inset.frame.center_top() + vec2(0.0, 10.0), Align2::CENTER_CENTER, &enlarged);
+    if let Some(baseline) = model.baseline_m {
+        let text = baseline_text(baseline, unit);
+        label(inset.frame.center_bottom() - vec2(0.0, 11.0), Align2::CENTER_CENTER, &text);
+    }
+}
+
+/// A bar of round length, at the lower right.
+fn paint_scale(painter: &Painter, palette: &Palette, scene: &Scene, unit: LengthUnit) {
+    let frame = painter.clip_rect();
+    let points_per_unit = scene.points_per_metre * Length::new(1.0, unit).m();
+    let longest = f64::from(frame.width() * 0.2) / points_per_unit;
+    let length = picture::round_down(longest);
+    if !length.is_normal() {
+        return;
+    }
+    let end = pos2(frame.right() - 8.0, frame.bottom() - 8.0);
+    let start = end - vec2(to_f32(length * points_per_unit), 0.0);
+    let stroke = Stroke::new(1.5, palette.muted);
+    painter.line_segment([start, end], stroke);
+    for tip in [start, end] {
+        painter.line_segment([tip, tip - vec2(0.0, 5.0)], stroke);
+    }
+    let text = format!("{} {}", number::plain(length), unit.symbol());
+    write(
+        painter,
+        palette,
+        start.lerp(end, 0.5) - vec2(0.0, 12.0),
+        Align2::CENTER_CENTER,
+        &text,
+        frame,
+    );
+}
+
+fn baseline_text(baseline_m: f64, unit: LengthUnit) -> String {
+    format!("b = {} {}", number::plain(Length::from_m(baseline_m).in_unit(unit)), unit.symbol())
+}
+
+fn camera_body(painter: &Painter, palette: &Palette, lens: Pos2) {
+    let body = Rect::from_center_size(lens + vec2(0.0, 7.0), vec2(15.0, 9.0));
+    painter.rect_filled(body, 2.0, palette.blue);
+    painter.add(Shape::convex_polygon(
+        vec![lens - vec2(0.0, 1.0), lens + vec2(4.0, 4.0), lens + vec2(-4.0, 4.0)],
+        palette.blue,
+        Stroke::NONE,
+    ));
+}
+
+/// Writes `text` at `position`, moved as far as needed to stay inside `frame`, on a background of its own.
+fn write(painter: &Painter, palette: &Palette, position: Pos2, anchor: Align2, text: &str, frame: Rect) {
+    let galley = painter.layout_no_wrap(text.to_owned(), theme::regular(theme::SMALL_SIZE), palette.text);
+    let mut rect = anchor.anchor_size(position, galley.size());
+    rect = rect.translate(vec2(
+        (frame.right() - rect.right()).min(0.0),
+        (frame.bottom() - rect.bottom()).min(0.0),
+    ));
+    rect = rect.translate(vec2((frame.left() - rect.left()).max(0.0), (frame.top() - rect.top()).max(0.0)));
+    painter.rect_filled(rect.expand(1.0), 2.0, palette.surface);
+    painter.galley(rect.min, galley, palette.text);
+}
+
+/// A coordinate on the screen; what is too small to see becomes zero.
+#[expect(clippy::cast_possible_truncation, reason = "a position on the screen needs no more than an f32")]
+const fn to_f32(points: f64) -> f32 {
+    points as f32
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::formats::inputs::{Example, Inputs};
+
+    fn scene(inputs: &Inputs) -> (Model, Scene) {
+        let model = Model::new(&inputs.assess().solution).unwrap();
+        let scene = Scene::new(&model, Rect::from_min_size(pos2(0.0, 0.0), vec2(390.0, theme::PICTURE_HEIGHT)));
+        (model, scene)
+    }
+
+    #[test]
+    fn both_axes_have_the_same_scale() {
+        let mut inputs = Example::CoffeeMug.inputs();
+        inputs.choose_unit(crate::core::problem::Field::Baseline, LengthUnit::Foot);
+        let (model, scene) = scene(&inputs);
+        let apart = f64::from(scene.cameras[1].x - scene.cameras[0].x);
+        let away = f64::from(scene.cameras[0].y - scene.object.y);
+        assert!((apart / model.baseline_m.unwrap() / (away / model.depth_m) - 1.0).abs() < 1e-4);
+        assert_eq!(scene.object.x, f32::midpoint(scene.cameras[0].x, scene.cameras[1].x));
+    }
+
+    #[test]
+    fn cameras_too_close_to_tell_apart_get_an_inset_that_says_how_much_it_enlarges() {
+        let (model, mug) = scene(&Example::CoffeeMug.inputs());
+        let inset = mug.inset.unwrap();
+        let apart = model.baseline_m.unwrap() * mug.points_per_metre;
+        assert!(apart < f64::from(CLOSE));
+        assert!((f64::from(inset.cameras[1].x - inset.cameras[0].x) / apart / inset.factor - 1.0).abs() < 1e-4);
+        let mut wide = Example::CoffeeMug.inputs();
+        wide.choose_unit(crate::core::problem::Field::Baseline, LengthUnit::Foot);
+        wide.entry_mut(crate::core::problem::Field::Disparity).text = "5000".into();
+        assert_eq!(scene(&wide).1.inset, None);
+    }
+
+    #[test]
+    fn one_camera_looks_at_both_edges_of_the_object() {
+        let (model, doorway) = scene(&Example::Doorway.inputs());
+        assert_eq!(doorway.cameras.len(), 1);
+        let [left, right] = doorway.edges.unwrap();
+        assert!((f64::from(right.x - left.x) / doorway.points_per_metre / model.width_m.unwrap() - 1.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn scenes_that_cannot_be_drawn_are_not_drawn() {
+        let mut inputs = Example::CoffeeMug.inputs();
+        inputs.entry_mut(crate::core::problem::Field::FocalLength).text = "1e200".into();
+        assert_eq!(Model::new(&inputs.assess().solution), None);
+    }
+}

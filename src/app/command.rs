@@ -1,0 +1,39 @@
+//! What a person can want. Screens add [`Command`]s to a list, as one click can be two things (a field is left, a button is
+//! pressed); `App::logic` is the one place that carries them out, in order.
+
+use super::saved::Screen;
+use crate::core::problem::Field;
+use crate::core::quantity::LengthUnit;
+use crate::formats::inputs::{Entry, Inputs};
+use egui::ThemePreference;
+
+/// Something a person asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// Mark every problem and go to the first.
+    Calculate,
+    /// Clear all fields.
+    Reset,
+    /// Take back the last change of the inputs.
+    Undo,
+    /// Make the change again that was taken back.
+    Redo,
+    /// Put the results on the clipboard.
+    CopyResults,
+    /// Replace everything typed by an example, and show the calculator.
+    Open(Inputs),
+    /// Replace what was typed into a field by what a note offered.
+    Fix(Field, Entry),
+    /// The pointer moved the point on the curve to this disparity, px; all moves until [`Command::Settle`] are one undo step.
+    DragDisparity(f64),
+    /// An edit is complete: a drag ended, a field was left.
+    Settle,
+    /// Show a screen.
+    Show(Screen),
+    /// Show results in this unit.
+    ShowResultsIn(LengthUnit),
+    /// Light, dark, or as the system has it.
+    Theme(ThemePreference),
+    /// Take the notice away.
+    Dismiss,
+}

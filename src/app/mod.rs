@@ -1,0 +1,449 @@
+//! Floor 3: the egui application, the same in a browser, in a window and under test.
+
+mod calculator;
+mod command;
+mod learn;
+mod saved;
+mod sheet;
+mod theme;
+mod widgets;
+
+use crate::core::problem::Field;
+use crate::formats::inputs::{Inputs, Severity};
+use crate::formats::{link, number, report};
+use calculator::Calculator;
+use command::Command;
+use egui::accesskit::Role;
+use egui::{Align, Button, CentralPanel, Frame, Key, Margin, Modifiers, Panel, RichText, Stroke, ThemePreference, Ui, UiBuilder, vec2};
+use learn::Learn;
+use saved::{Saved, Screen, Settings};
+use sheet::Sheet;
+use theme::Layout;
+use widgets::{quantity_field, text};
+
+/// What the program needs from the machine it runs on.
+pub trait Platform {
+    /// The stored state, if there is any.
+    ///
+    /// # Errors
+    /// A sentence saying why storage cannot be used.
+    fn load(&self) -> Result<Option<String>, String>;
+
+    /// Stores `text` over what was stored.
+    ///
+    /// # Errors
+    /// A sentence saying why not.
+    fn save(&mut self, text: &str) -> Result<(), String>;
+
+    /// Starts putting `text` on the clipboard; the outcome comes later from [`Self::copied`].
+    fn copy(&mut self, ctx: &egui::Context, text: String);
+
+    /// The outcome of the last [`Self::copy`], once.
+    fn copied(&mut self) -> Option<Result<(), String>>;
+
+    /// The part behind the `#` of a link that was followed to the program, once.
+    fn link(&mut self) -> Option<String> {
+        None
+    }
+}
+
+/// A sentence about what just happened, with what can be done about it.
+#[derive(Debug)]
+struct Notice {
+    text: String,
+    action: Option<(&'static str, Command)>,
+}
+
+/// The application.
+pub struct App {
+    platform: Box<dyn Platform>,
+    sheet: Sheet,
+    settings: Settings,
+    /// What is in storage, to write only what changed.
+    stored: Saved,
+    history: History,
+    calculator: Calculator,
+    learn: Learn,
+    notice: Option<Notice>,
+    pending: Vec<Command>,
+}
+
+impl App {
+    /// The application with the state that `platform` has stored.
+    pub fn new(cc: &eframe::CreationContext<'_>, platform: Box<dyn Platform>) -> Self {
+        let ctx = &cc.egui_ctx;
+        theme::install(ctx);
+        let notice = |text: &str| {
+            Some(Notice {
+                text: text.to_owned(),
+                action: None,
+            })
+        };
+        let (saved, notice) = match platform.load() {
+            Ok(None) => (Saved::default(), None),
+            Ok(Some(text)) => match Saved::from_text(&text) {
+                Some(saved) => (saved, None),
+                None => (
+                    Saved::default(),
+                    notice("What was stored last time could not be read, or is of another version, so the program starts fresh."),
+                ),
+            },
+            Err(reason) => (
+                Saved::default(),
+                notice(&format!(
+                    "{reason} The program works, but forgets what you enter when it is closed."
+                )),
+            ),
+        };
+        ctx.set_theme(saved.settings.theme);
+        let app = Self {
+            platform,
+            sheet: Sheet::new(saved.inputs.clone()),
+            settings: saved.settings.clone(),
+            history: History::new(saved.inputs.clone()),
+            stored: saved,
+            calculator: Calculator::default(),
+            learn: Learn::default(),
+            notice,
+            pending: Vec::new(),
+        };
+        app.focus_first_field(ctx);
+        app
+    }
+
+    /// At a desk the first field is where one starts; on a phone it would open the keyboard unasked.
+    fn focus_first_field(&self, ctx: &egui::Context) {
+        let touch = ctx.input(|input| input.any_touches());
+        if self.sheet.inputs.is_blank() && self.settings.screen == Screen::Calculator && !touch && ctx.content_rect().width() > 720.0 {
+            ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(Field::FocalLength)));
+        }
+    }
+
+    fn carry_out(&mut self, ctx: &egui::Context, command: Command) {
+        if !matches!(
+            command,
+            Command::DragDisparity(_) | Command::CopyResults | Command::Show(_) | Command::Theme(_)
+        ) {
+            self.history.settle(&self.sheet.inputs);
+        }
+        if !matches!(command, Command::Settle | Command::Theme(_)) {
+            self.notice = None;
+        }
+        match command {
+            Command::Settle | Command::Dismiss => {}
+            Command::Calculate => self.calculate(ctx),
+            Command::Reset => {
+                if self.sheet.inputs.is_blank() {
+                    self.sheet.inputs = Inputs::default();
+                    self.say("There was nothing to clear.", None);
+                } else {
+                    self.sheet.inputs = Inputs::default();
+                    self.say("All fields are cleared.", Some(("Undo", Command::Undo)));
+                }
+                self.calculator.marked = false;
+            }
+            Command::Open(inputs) => {
+                let replaced = !self.sheet.inputs.is_blank();
+                self.sheet.inputs = inputs;
+                self.settings.screen = Screen::Calculator;
+                self.calculator.reveal_results = Layout::of_width(ctx.content_rect().width()) == Layout::Phone;
+                self.say("The example is filled in.", replaced.then_some(("Undo", Command::Undo)));
+            }
+            Command::Undo => match self.history.undo() {
+                Some(inputs) => {
+                    self.sheet.inputs = inputs;
+                    self.say("Undone.", Some(("Redo", Command::Redo)));
+                }
+                None => self.say("There is nothing to undo.", None),
+            },
+            Command::Redo => match self.history.redo() {
+                Some(inputs) => {
+                    self.sheet.inputs = inputs;
+                    self.say("Done again.", Some(("Undo", Command::Undo)));
+                }
+                None => self.say("There is nothing to do again.", None),
+            },
+            Command::CopyResults => {
+                let text = report::report(&self.sheet.inputs, self.sheet.assessment(), self.settings.result_unit);
+                self.platform.copy(ctx, text);
+            }
+            Command::Fix(field, entry) => {
+                *self.sheet.inputs.entry_mut(field) = entry;
+                self.sheet.inputs.tidy(field);
+                ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(field)));
+            }
+            Command::DragDisparity(disparity) => self.sheet.inputs.entry_mut(Field::Disparity).text = number::plain(disparity),
+            Command::Show(screen) => self.settings.screen = screen,
+            Command::ShowResultsIn(unit) => self.settings.result_unit = unit,
+            Command::Theme(theme) => {
+                self.settings.theme = theme;
+                ctx.set_theme(theme);
+            }
+        }
+        self.sheet.refresh();
+        ctx.request_repaint();
+    }
+
+    fn calculate(&mut self, ctx: &egui::Context) {
+        self.calculator.marked = true;
+        let errors = self
+            .sheet
+            .assessment()
+            .notes
+            .iter()
+            .filter(|note| note.severity == Severity::Error)
+            .map(|note| note.field);
+        let missing = self.sheet.inputs.missing();
+        let first = errors.chain(missing.iter().map(|note| note.field)).min();
+        match first {
+            Some(field) => ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(field))),
+            None => self.calculator.reveal_results = Layout::of_width(ctx.content_rect().width()) == Layout::Phone,
+        }
+    }
+
+    fn say(&mut self, text: &str, action: Option<(&'static str, Command)>) {
+        self.notice = Some(Notice {
+            text: text.to_owned(),
+            action,
+        });
+    }
+
+    fn is_stored(&self) -> bool {
+        self.stored.inputs == self.sheet.inputs && self.stored.settings == self.settings
+    }
+
+    /// Writes what changed. A failure is said once.
+    fn store(&mut self) {
+        if self.is_stored() {
+            return;
+        }
+        self.stored = Saved {
+            inputs: self.sheet.inputs.clone(),
+            settings: self.settings.clone(),
+        };
+        let outcome = self.stored.to_text().and_then(|text| self.platform.save(&text));
+        if let Err(reason) = outcome {
+            self.say(&format!("{reason} What you enter now may be gone after a restart."), None);
+        }
+    }
+
+    fn shortcuts(&self, ctx: &egui::Context) -> Option<Command> {
+        // While a field is edited, undo belongs to its text.
+        if ctx.text_edit_focused() {
+            return None;
+        }
+        ctx.input_mut(|input| {
+            if input.consume_key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z) || input.consume_key(Modifiers::COMMAND, Key::Y) {
+                Some(Command::Redo)
+            } else if input.consume_key(Modifiers::COMMAND, Key::Z) {
+                Some(Command::Undo)
+            } else {
+                None
+            }
+        })
+    }
+}
+
+impl eframe::App for App {
+    fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
+        if let Some(fragment) = self.platform.link() {
+            let mut inputs = self.sheet.inputs.clone();
+            if link::apply(&fragment, &mut inputs) {
+                self.carry_out(ctx, Command::Open(inputs));
+                self.say("The link filled in the fields that it names.", Some(("Undo", Command::Undo)));
+            }
+        }
+        for command in std::mem::take(&mut self.pending) {
+            self.carry_out(ctx, command);
+        }
+        match self.platform.copied() {
+            Some(Ok(())) => self.say("Results copied to the clipboard.", None),
+            Some(Err(reason)) => self.say(&reason, None),
+            None => {}
+        }
+        self.store();
+    }
+
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        let layout = Layout::of_width(ui.available_width());
+        let palette = theme::palette(ui);
+        let mut commands = Vec::from_iter(self.shortcuts(ui.ctx()));
+        ui.spacing_mut().interact_size.y = layout.control_height();
+
+        let bar = |vertical| {
+            Frame::new()
+                .fill(palette.surface)
+                .inner_margin(Margin::symmetric(if layout == Layout::Phone { 12 } else { 20 }, vertical))
+        };
+        Panel::top("navigation").resizable(false).frame(bar(8)).show(ui, |ui| {
+            navigation(ui, layout, self.settings.screen, self.settings.theme, &mut commands);
+        });
+        if layout == Layout::Phone && self.settings.screen == Screen::Calculator {
+            Panel::bottom("result bar").resizable(false).frame(bar(10)).show(ui, |ui| {
+                calculator::result_bar(ui, self.sheet.assessment(), self.settings.result_unit);
+            });
+        }
+        if let Some(notice) = &self.notice {
+            Panel::bottom("notice").resizable(false).frame(bar(6)).show(ui, |ui| {
+                notice_bar(ui, notice, layout, &mut commands);
+            });
+        }
+        let margin = if layout == Layout::Phone { 8 } else { 20 };
+        let background = Frame::new().fill(palette.page).inner_margin(Margin {
+            left: margin,
+            right: margin,
+            top: 16,
+            bottom: 0,
+        });
+        CentralPanel::no_frame().frame(background).show(ui, |ui| {
+            ui.vertical_centered(|ui| {
+                ui.set_max_width(ui.available_width().min(theme::CONTENT_WIDTH));
+                ui.with_layout(egui::Layout::top_down(Align::Min), |ui| match self.settings.screen {
+                    Screen::Learn => self.learn.show(ui, layout, &mut commands),
+                    Screen::Calculator => {
+                        let unit = self.settings.result_unit;
+                        self.calculator.show(ui, layout, &mut self.sheet, unit, &mut commands);
+                    }
+                });
+            });
+        });
+        if !commands.is_empty() {
+            self.pending.append(&mut commands);
+            ui.ctx().request_repaint();
+        }
+        // What was typed in this pass is stored in the next.
+        if !self.is_stored() {
+            ui.ctx().request_repaint();
+        }
+    }
+}
+
+fn navigation(ui: &mut Ui, layout: Layout, screen: Screen, theme_preference: ThemePreference, commands: &mut Vec<Command>) {
+    let palette = theme::palette(ui);
+    let tabs = |ui: &mut Ui, commands: &mut Vec<Command>| {
+        ui.scope_builder(
+            UiBuilder::new().accessibility_role(Role::TabList).accessibility_label("Screens"),
+            |ui| {
+                ui.horizontal(|ui| {
+                    for choice in Screen::ALL {
+                        let selected = choice == screen;
+                        let text = if selected {
+                            RichText::new(choice.name())
+                                .font(theme::strong(theme::BODY_SIZE))
+                                .color(palette.text)
+                        } else {
+                            RichText::new(choice.name()).color(palette.muted)
+                        };
+                        let fill = if selected { palette.highlight } else { palette.surface };
+                        let tab = ui.add(
+                            Button::new(text)
+                                .fill(fill)
+                                .stroke(Stroke::NONE)
+                                .min_size(vec2(0.0, layout.control_height())),
+                        );
+                        ui.accesskit_node_builder(tab.id, |node| {
+                            node.set_role(Role::Tab);
+                            node.set_selected(selected);
+                        });
+                        if tab.clicked() {
+                            commands.push(Command::Show(choice));
+                        }
+                    }
+                });
+            },
+        );
+    };
+    ui.horizontal(|ui| {
+        text::heading(ui, "Depth Calculator", 1, theme::strong(17.0), palette.text);
+        if layout != Layout::Phone {
+            ui.add_space(8.0);
+            tabs(ui, commands);
+        }
+        ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| {
+            theme_choice(ui, layout, theme_preference, commands);
+        });
+    });
+    if layout == Layout::Phone {
+        tabs(ui, commands);
+    }
+}
+
+fn theme_choice(ui: &mut Ui, layout: Layout, preference: ThemePreference, commands: &mut Vec<Command>) {
+    let height = layout.control_height();
+    let button = Button::new(RichText::new("◐").size(17.0)).min_size(vec2(height, height));
+    let response = egui::containers::menu::MenuButton::from_button(button)
+        .ui(ui, |ui| {
+            ui.spacing_mut().interact_size.y = height;
+            for (choice, name) in [
+                (ThemePreference::System, "As the system"),
+                (ThemePreference::Light, "Light"),
+                (ThemePreference::Dark, "Dark"),
+            ] {
+                if ui.selectable_label(preference == choice, name).clicked() {
+                    commands.push(Command::Theme(choice));
+                }
+            }
+        })
+        .0;
+    let _ = response.accessible_name("Light or dark");
+}
+
+fn notice_bar(ui: &mut Ui, notice: &Notice, layout: Layout, commands: &mut Vec<Command>) {
+    ui.horizontal_wrapped(|ui| {
+        let said = ui.label(&notice.text);
+        text::announce(ui, &said);
+        let button = |name: &str| Button::new(name).min_size(vec2(0.0, layout.control_height()));
+        if let Some((name, action)) = &notice.action
+            && ui.add(button(name)).clicked()
+        {
+            commands.push(action.clone());
+        }
+        if ui.add(button("Close").frame(false)).clicked() {
+            commands.push(Command::Dismiss);
+        }
+    });
+}
+
+/// Finished states of the inputs, for undo and redo.
+#[derive(Debug)]
+struct History {
+    now: Inputs,
+    past: Vec<Inputs>,
+    future: Vec<Inputs>,
+}
+
+impl History {
+    /// Nobody goes back further.
+    const DEPTH: usize = 200;
+
+    const fn new(now: Inputs) -> Self {
+        Self {
+            now,
+            past: Vec::new(),
+            future: Vec::new(),
+        }
+    }
+
+    /// `inputs` are a finished state: what changed since the last one is one step.
+    fn settle(&mut self, inputs: &Inputs) {
+        if *inputs != self.now {
+            self.past.push(std::mem::replace(&mut self.now, inputs.clone()));
+            self.future.clear();
+            if self.past.len() > Self::DEPTH {
+                self.past.remove(0);
+            }
+        }
+    }
+
+    fn undo(&mut self) -> Option<Inputs> {
+        let before = self.past.pop()?;
+        self.future.push(std::mem::replace(&mut self.now, before));
+        Some(self.now.clone())
+    }
+
+    fn redo(&mut self) -> Option<Inputs> {
+        let after = self.future.pop()?;
+        self.past.push(std::mem::replace(&mut self.now, after));
+        Some(self.now.clone())
+    }
+}

@@ -1,0 +1,7 @@
+//! Pieces that two screens share.
+
+pub mod cards;
+pub mod picture;
+pub mod quantity_field;
+pub mod table;
+pub mod text;

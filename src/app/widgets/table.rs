@@ -1,0 +1,61 @@
+//! Tables that are tables to assistive technology too: rows and cells with roles, under a named table.
+
+use crate::app::theme;
+use egui::accesskit::Role;
+use egui::text::LayoutJob;
+use egui::{Label, Rect, Sense, Stroke, Ui, UiBuilder, pos2, vec2};
+
+/// One cell of a row.
+#[derive(Debug)]
+pub struct Cell {
+    /// Its text.
+    pub text: LayoutJob,
+    /// `Role::Cell`, `Role::RowHeader` or `Role::ColumnHeader`.
+    pub role: Role,
+    /// Numbers stand at the right, so that they can be compared.
+    pub align_right: bool,
+}
+
+/// A table named `name`; `add_rows` calls [`row`].
+pub fn table(ui: &mut Ui, name: &str, add_rows: impl FnOnce(&mut Ui)) {
+    let builder = UiBuilder::new().accessibility_role(Role::Table).accessibility_label(name);
+    ui.scope_builder(builder, |ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        add_rows(ui);
+    });
+}
+
+/// A row of `cells`, each with its share of the width, over a thin line.
+pub fn row(ui: &mut Ui, cells: Vec<Cell>, shares: &[f32]) {
+    const PADDING: f32 = 7.0;
+    const BETWEEN: f32 = 12.0;
+    let palette = theme::palette(ui);
+    let total: f32 = shares.iter().sum();
+    let full = ui.available_width();
+    let mut x = 0.0;
+    let mut placed = Vec::new();
+    let mut height = 0.0_f32;
+    for (mut cell, share) in cells.into_iter().zip(shares) {
+        let width = full * share / total;
+        cell.text.wrap.max_width = (width - BETWEEN).max(1.0);
+        let galley = ui.painter().layout_job(cell.text);
+        height = height.max(galley.size().y);
+        let left = if cell.align_right {
+            x + width - BETWEEN - galley.size().x
+        } else {
+            x
+        };
+        placed.push((cell.role, left, galley));
+        x += width;
+    }
+    let (rect, _) = ui.allocate_exact_size(vec2(full, height + 2.0 * PADDING), Sense::hover());
+    let builder = UiBuilder::new().accessibility_role(Role::Row).max_rect(rect);
+    ui.new_child(builder).scope(|ui| {
+        for (role, left, galley) in placed {
+            let place = Rect::from_min_size(pos2(rect.left() + left, rect.top() + PADDING), galley.size());
+            let builder = UiBuilder::new().accessibility_role(role).max_rect(place);
+            ui.new_child(builder).put(place, Label::new(galley));
+        }
+    });
+    ui.painter().hline(rect.x_range(), rect.bottom(), Stroke::new(1.0, palette.line));
+}

@@ -1,0 +1,53 @@
+//! Text with a meaning: headings, captions, and their roles for assistive technology.
+
+use crate::app::theme::{self, Palette};
+use egui::accesskit::{Live, Role};
+use egui::{FontId, Response, RichText, Ui};
+
+/// A heading of `level` 1 to 6.
+pub fn heading(ui: &mut Ui, text: &str, level: usize, font: FontId, color: egui::Color32) -> Response {
+    let response = ui.label(RichText::new(text).font(font).color(color));
+    ui.accesskit_node_builder(response.id, |node| {
+        node.set_role(Role::Heading);
+        node.set_level(level);
+        node.set_label(text);
+    });
+    response
+}
+
+/// The heading of a card.
+pub fn card_heading(ui: &mut Ui, text: &str) -> Response {
+    let muted = theme::palette(ui).muted;
+    heading(ui, text, 2, theme::strong(theme::CARD_HEADING_SIZE), muted)
+}
+
+/// A caption: small and muted.
+pub fn caption(ui: &mut Ui, text: impl Into<String>) -> Response {
+    let muted = theme::palette(ui).muted;
+    ui.label(RichText::new(text).size(theme::SMALL_SIZE).color(muted))
+}
+
+/// Has `response` announced when its text changes, without interrupting.
+pub fn announce(ui: &Ui, response: &Response) {
+    ui.accesskit_node_builder(response.id, |node| node.set_live(Live::Polite));
+}
+
+/// A small rounded label in the colour of a method.
+pub fn badge(ui: &mut Ui, text: &str, front: egui::Color32, back: egui::Color32) -> Response {
+    egui::Frame::new()
+        .fill(back)
+        .corner_radius(10)
+        .inner_margin(egui::Margin::symmetric(9, 2))
+        .show(ui, |ui| {
+            ui.label(RichText::new(text).font(theme::strong(theme::SMALL_SIZE)).color(front))
+        })
+        .inner
+}
+
+/// The text and background colour of a method's badge.
+pub const fn badge_colors(palette: &Palette, method: crate::core::problem::Method) -> (egui::Color32, egui::Color32) {
+    match method {
+        crate::core::problem::Method::Stereo => (palette.blue, palette.blue_tint),
+        crate::core::problem::Method::Monocular => (palette.orange_text, palette.orange_tint),
+    }
+}

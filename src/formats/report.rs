@@ -1,0 +1,255 @@
+//! The results in words: the table of parameters, the formulas with their numbers, and the text that *Copy Results* puts on
+//! the clipboard.
+
+use super::inputs::{Assessment, Inputs};
+use super::number::{NO_NUMBER, exact, plain, significant};
+use crate::core::problem::{Field, Method, Solution};
+use crate::core::quantity::{Length, LengthUnit};
+
+/// Significant digits of a result on the screen.
+pub const DIGITS: usize = 4;
+
+/// `length` in `unit` with four significant digits and its unit: "1.400 m", or "–.– m" where there is none.
+pub fn length(length: Option<Length>, unit: LengthUnit) -> String {
+    format!("{} {}", length_number(length, unit), unit.symbol())
+}
+
+/// [`length`] without the unit.
+pub fn length_number(length: Option<Length>, unit: LengthUnit) -> String {
+    length.map_or_else(|| NO_NUMBER.to_owned(), |length| significant(length.in_unit(unit), DIGITS))
+}
+
+/// What one pixel of disparity more or less makes of the stereo distance: "1.373 … 1.429 m".
+pub fn one_pixel_around(solution: &Solution, unit: LengthUnit) -> Option<String> {
+    let (near, far) = solution.one_pixel_around()?;
+    let near = length_number(Some(near), unit);
+    Some(match far {
+        Some(far) => format!("{near} … {}", length(Some(far), unit)),
+        None => format!("{near} {} … no upper bound", unit.symbol()),
+    })
+}
+
+/// The formula of `method` with the current numbers and its result in metres, or `None` while an input is missing:
+/// "D = 700 px · 0.1 m / 50 px = 1.400 m".
+pub fn formula_with_numbers(solution: &Solution, method: Method) -> Option<String> {
+    let distance = solution.outcome(method).distance()?;
+    let value = |field: Field| {
+        let unit = if field.is_length() { "m" } else { "px" };
+        solution.problem.get(field).map(|value| format!("{} {unit}", plain(value)))
+    };
+    let (first, second, divisor) = match method {
+        Method::Stereo => (Field::FocalLength, Field::Baseline, Field::Disparity),
+        Method::Monocular => (Field::RealWidth, Field::FocalLength, Field::ImageWidth),
+    };
+    Some(format!(
+        "D = {} · {} / {} = {}",
+        value(first)?,
+        value(second)?,
+        value(divisor)?,
+        length(Some(distance), LengthUnit::Metre)
+    ))
+}
+
+/// How far the entered widths are off what the stereo distance predicts, in a sentence, or what would be needed to know.
+pub fn width_check(solution: &Solution) -> String {
+    match solution.width_discrepancy() {
+        Some(off) if off.abs() < 0.0005 => {
+            "Computed from the stereo distance, as a check: both widths agree with what you entered to within 0.1 %.".to_owned()
+        }
+        Some(off) => format!(
+            "Computed from the stereo distance, as a check. The width you entered in the image is {} % {} than they predict; so is the real width.",
+            significant(off.abs() * 100.0, 2),
+            if off > 0.0 { "larger" } else { "smaller" },
+        ),
+        None if solution.stereo.distance().is_some() => {
+            "Computed from the stereo distance. Enter both widths to check one method against the other.".to_owned()
+        }
+        None if solution.monocular.distance().is_some() => {
+            "Without a stereo distance these only repeat what you entered. Enter a baseline and a disparity to make them a check."
+                .to_owned()
+        }
+        None => "Computed from the stereo distance, as a check on the widths you entered.".to_owned(),
+    }
+}
+
+/// One row of the table "Key input parameters and outputs".
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// What it is.
+    pub parameter: &'static str,
+    /// Its value in [`unit`](Self::unit), or [`NO_NUMBER`].
+    pub value: String,
+    /// "pixels" or "meters".
+    pub unit: &'static str,
+    /// What it means.
+    pub description: &'static str,
+}
+
+/// The nine rows of the table; lengths in metres whatever unit was typed.
+pub fn parameter_rows(solution: &Solution) -> [Row; 9] {
+    const PIXELS: &str = "pixels";
+    const METERS: &str = "meters";
+    let input = |field: Field, description| Row {
+        parameter: field.name(),
+        value: solution.problem.get(field).map_or_else(|| NO_NUMBER.to_owned(), plain),
+        unit: if field.is_length() { METERS } else { PIXELS },
+        description,
+    };
+    let output = |parameter, value: Option<f64>, unit, description| Row {
+        parameter,
+        value: value.map_or_else(|| NO_NUMBER.to_owned(), |value| significant(value, DIGITS)),
+        unit,
+        description,
+    };
+    [
+        input(Field::FocalLength, "Camera’s focal length"),
+        input(Field::Baseline, "Distance between the two cameras"),
+        input(Field::Disparity, "Horizontal pixel difference"),
+        input(Field::ImageWidth, "Object’s width in the image"),
+        input(Field::RealWidth, "Object’s actual physical width"),
+        output(
+            ESTIMATED_WIDTH_PX,
+            solution.estimated_width_px.map(|width| width.px()),
+            PIXELS,
+            "Width in the image that the real width and the distance predict",
+        ),
+        output(
+            ESTIMATED_WIDTH_M,
+            solution.estimated_width.map(Length::m),
+            METERS,
+            "Real width that the width in the image and the distance predict",
+        ),
+        output(
+            "Distance (stereo)",
+            solution.stereo.distance().map(Length::m),
+            METERS,
+            "Distance from disparity",
+        ),
+        output(
+            "Distance (monocular)",
+            solution.monocular.distance().map(Length::m),
+            METERS,
+            "Distance from the object’s known width",
+        ),
+    ]
+}
+
+/// Name of w_real·fx/D.
+pub const ESTIMATED_WIDTH_PX: &str = "Estimated object width (pixels)";
+/// Name of w_img·D/fx.
+pub const ESTIMATED_WIDTH_M: &str = "Estimated object width (meters)";
+
+/// The text for the clipboard: inputs as typed, results rounded in `unit` and with every digit.
+pub fn report(inputs: &Inputs, assessment: &Assessment, unit: LengthUnit) -> String {
+    let solution = &assessment.solution;
+    let mut lines = vec!["Depth Calculator".to_owned(), String::new(), "Inputs".to_owned()];
+    for field in Field::ALL {
+        let entry = inputs.entry(field);
+        let value = match solution.problem.get(field) {
+            Some(_) => {
+                let number = super::number::read(&entry.text).map_or(entry.text.trim(), |typed| typed.number_text);
+                format!("{number} {}", inputs.unit(field).map_or("px", LengthUnit::symbol))
+            }
+            None if entry.is_blank() => "not given".to_owned(),
+            None => format!("{} (not usable)", super::number::quoted(&entry.text)),
+        };
+        lines.push(format!("  {}: {value}", field.name()));
+    }
+    lines.push(String::new());
+    lines.push("Results".to_owned());
+    for method in Method::ALL {
+        let distance = solution.outcome(method).distance();
+        let mut line = format!("  {} distance, {}: {}", method.name(), method.formula(), length(distance, unit));
+        if let Some(distance) = distance {
+            line.push_str(&format!(" (unrounded {} {})", exact(distance.in_unit(unit)), unit.symbol()));
+        }
+        lines.push(line);
+        if method == Method::Stereo
+            && let Some(range) = one_pixel_around(solution, unit)
+        {
+            lines.push(format!("    with one pixel of disparity more or less: {range}"));
+        }
+    }
+    if let Some(width) = solution.estimated_width_px {
+        lines.push(format!(
+            "  {ESTIMATED_WIDTH_PX}: {} px (unrounded {} px)",
+            significant(width.px(), DIGITS),
+            exact(width.px())
+        ));
+    }
+    if let Some(width) = solution.estimated_width {
+        lines.push(format!(
+            "  {ESTIMATED_WIDTH_M}: {} (unrounded {} m)",
+            length(Some(width), LengthUnit::Metre),
+            exact(width.m())
+        ));
+    }
+    if solution.estimated_width.is_some() || solution.estimated_width_px.is_some() {
+        lines.push(format!("    {}", width_check(solution)));
+    }
+    for note in &assessment.notes {
+        lines.push(format!("  Note on {}: {}", note.field.name(), note.message));
+    }
+    lines.push(String::new());
+    lines.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formats::inputs::{Entry, Example};
+
+    #[test]
+    fn the_mug_reads_as_in_the_specification() {
+        let inputs = Example::CoffeeMug.inputs();
+        let assessment = inputs.assess();
+        assert_eq!(
+            one_pixel_around(&assessment.solution, LengthUnit::Metre).as_deref(),
+            Some("1.373 … 1.429 m")
+        );
+        assert_eq!(
+            formula_with_numbers(&assessment.solution, Method::Stereo).as_deref(),
+            Some("D = 700 px · 0.1 m / 50 px = 1.400 m")
+        );
+        let report = report(&inputs, &assessment, LengthUnit::Metre);
+        for line in [
+            "  Camera baseline (b): 10 cm",
+            "  Stereo distance, D = fx · b / d: 1.400 m (unrounded 1.4 m)",
+            "    with one pixel of disparity more or less: 1.373 … 1.429 m",
+            "  Monocular distance, D = w_real · fx / w_img: –.– m",
+        ] {
+            assert!(report.lines().any(|candidate| candidate == line), "{line:?} is not in\n{report}");
+        }
+    }
+
+    #[test]
+    fn the_table_has_lengths_in_metres_whatever_was_typed() {
+        let rows = parameter_rows(&Example::CoffeeMug.inputs().assess().solution);
+        let values: Vec<_> = rows.iter().map(|row| (row.value.as_str(), row.unit)).collect();
+        assert_eq!(
+            values.get(..4),
+            Some(&[("700", "pixels"), ("0.1", "meters"), ("50", "pixels"), (NO_NUMBER, "pixels")][..])
+        );
+    }
+
+    #[test]
+    fn at_one_pixel_of_disparity_the_far_end_has_no_bound() {
+        let mut inputs = Example::CoffeeMug.inputs();
+        *inputs.entry_mut(Field::Disparity) = Entry::new("1", None);
+        assert_eq!(
+            one_pixel_around(&inputs.assess().solution, LengthUnit::Metre).as_deref(),
+            Some("35.00 m … no upper bound")
+        );
+    }
+
+    #[test]
+    fn the_widths_are_a_check_only_against_the_stereo_distance() {
+        let mut inputs = Example::CoffeeMug.inputs();
+        inputs.entry_mut(Field::ImageWidth).text = "165".into();
+        inputs.entry_mut(Field::RealWidth).text = "0.3".into();
+        let solution = inputs.assess().solution;
+        assert_eq!(solution.estimated_width_px.map(|w| w.px().round()), Some(150.0));
+        assert!(width_check(&solution).contains("10 % larger"), "{}", width_check(&solution));
+        assert!(width_check(&Example::Doorway.inputs().assess().solution).contains("only repeat"));
+    }
+}

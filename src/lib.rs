@@ -1,0 +1,28 @@
+//! How far away is it, and how sure can I be?
+//!
+//! The house, floor by floor; a floor uses only the floors below it:
+//!
+//! 1. [`core`]: the mathematics.
+//! 2. [`formats`]: text in and out.
+//! 3. `app`: the egui application, the same on every platform and under test.
+//! 4. `platform`: the entry points of the web page and the desktop program.
+//!
+//! ```
+//! use depth_calculator::core::problem::Problem;
+//! use depth_calculator::core::quantity::{Length, LengthUnit, Pixels};
+//!
+//! let mug = Problem {
+//!     focal_length: Some(Pixels::new(700.0)),
+//!     baseline: Some(Length::new(10.0, LengthUnit::Centimetre)),
+//!     disparity: Some(Pixels::new(50.0)),
+//!     ..Problem::default()
+//! };
+//! assert_eq!(mug.solve().stereo.distance(), Some(Length::from_m(1.4)));
+//! ```
+
+#[cfg(feature = "app")]
+pub mod app;
+pub mod core;
+pub mod formats;
+#[cfg(feature = "app")]
+pub mod platform;

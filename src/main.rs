@@ -1,0 +1,11 @@
+//! Chooses the platform, and nothing else.
+
+#[cfg(not(target_arch = "wasm32"))]
+fn main() -> std::process::ExitCode {
+    depth_calculator::platform::desktop::main()
+}
+
+#[cfg(target_arch = "wasm32")]
+fn main() {
+    depth_calculator::platform::web::main();
+}

@@ -1,0 +1,86 @@
+//! The web page: starts the program on the canvas of `index.html`.
+//!
+//! Before this runs, `assets/web/start.js` has checked the browser and fetched the program.
+
+mod browser;
+mod page;
+
+use wasm_bindgen::JsCast as _;
+
+use crate::app::App;
+use browser::Browser;
+
+/// Starts the program on `<canvas id="app">` and returns at once; the browser calls it from then on.
+///
+/// Whatever fails, now or later, is shown in words in place of the canvas.
+pub fn main() {
+    // Only fails when a logger is installed already, and then there is one.
+    eframe::WebLogger::init(log::LevelFilter::Warn).ok();
+    // Before `WebRunner::new`, whose own hook calls the one that it finds.
+    std::panic::set_hook(Box::new(|panic| {
+        page::show_failure(
+            "The program has stopped because of an error in it.",
+            "Reload the page to go on.",
+            &panic.to_string(),
+        );
+    }));
+    let runner = eframe::WebRunner::new();
+    wasm_bindgen_futures::spawn_local(async move {
+        if let Err(reason) = start(&runner).await {
+            page::show_failure(
+                "The program arrived, but it could not start drawing.",
+                "Switch on hardware acceleration in the browser's settings, or use a current version of Firefox, Chrome, Edge or Safari.",
+                &reason,
+            );
+        }
+    });
+}
+
+async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
+    let canvas = page::element("app")
+        .ok_or("The page has no element with the id \"app\".")?
+        .dyn_into::<web_sys::HtmlCanvasElement>()
+        .map_err(|_element| "The element with the id \"app\" is not a canvas.")?;
+    runner
+        .start(
+            canvas,
+            options(),
+            Box::new(|creation| {
+                creation.egui_ctx.add_plugin(FirstFrame::default());
+                Ok(Box::new(App::new(creation, Box::new(Browser::default()))))
+            }),
+        )
+        .await
+        .map_err(|error| browser::sentence(&error))
+}
+
+fn options() -> eframe::WebOptions {
+    eframe::WebOptions {
+        // Ctrl and the wheel, or a pinch on a touch pad, enlarge the page as everywhere else in the browser.
+        should_prevent_default: Box::new(|event| match event {
+            egui::Event::MouseWheel { modifiers, .. } => !modifiers.ctrl,
+            egui::Event::Zoom(_) => false,
+            _ => true,
+        }),
+        ..eframe::WebOptions::default()
+    }
+}
+
+/// Takes away the loading message when there is something to see.
+#[derive(Default)]
+struct FirstFrame {
+    drawn: bool,
+}
+
+impl egui::Plugin for FirstFrame {
+    fn debug_name(&self) -> &'static str {
+        "first frame"
+    }
+
+    fn output_hook(&mut self, _ctx: &egui::Context, _output: &mut egui::FullOutput) {
+        if !self.drawn {
+            self.drawn = true;
+            page::show_program();
+        }
+    }
+}

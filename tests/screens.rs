@@ -1,0 +1,511 @@
+//! The screens, driven by accessible name as a screen reader would.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    missing_docs,
+    reason = "tests"
+)]
+
+use depth_calculator::app::{App, Platform};
+use egui::accesskit::Role;
+use egui::{Key, Modifiers, Vec2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use std::cell::RefCell;
+use std::rc::Rc;
+
+/// A machine whose storage and clipboard can be looked at.
+#[derive(Clone, Default)]
+struct Machine {
+    stored: Rc<RefCell<Option<String>>>,
+    clipboard: Rc<RefCell<Option<String>>>,
+    copied: Rc<RefCell<Option<Result<(), String>>>>,
+    link: Rc<RefCell<Option<String>>>,
+    broken: bool,
+}
+
+impl Platform for Machine {
+    fn load(&self) -> Result<Option<String>, String> {
+        if self.broken {
+            Err("Storage is switched off.".into())
+        } else {
+            Ok(self.stored.borrow().clone())
+        }
+    }
+    fn save(&mut self, text: &str) -> Result<(), String> {
+        if self.broken {
+            return Err("Storage is switched off.".into());
+        }
+        *self.stored.borrow_mut() = Some(text.to_owned());
+        Ok(())
+    }
+    fn copy(&mut self, ctx: &egui::Context, text: String) {
+        *self.clipboard.borrow_mut() = Some(text);
+        *self.copied.borrow_mut() = Some(if self.broken {
+            Err("The clipboard was refused.".into())
+        } else {
+            Ok(())
+        });
+        ctx.request_repaint();
+    }
+    fn copied(&mut self) -> Option<Result<(), String>> {
+        self.copied.borrow_mut().take()
+    }
+    fn link(&mut self) -> Option<String> {
+        self.link.borrow_mut().take()
+    }
+}
+
+const DESKTOP: Vec2 = vec2(1280.0, 900.0);
+const PHONE: Vec2 = vec2(390.0, 844.0);
+
+struct Program {
+    harness: Harness<'static, App>,
+    machine: Machine,
+}
+
+impl Program {
+    fn on(machine: Machine, size: Vec2) -> Self {
+        let platform = machine.clone();
+        let mut harness = Harness::builder()
+            .with_size(size)
+            .with_max_steps(12)
+            .build_eframe(move |cc| App::new(cc, Box::new(platform)));
+        harness.run();
+        Self { harness, machine }
+    }
+
+    fn new() -> Self {
+        Self::on(Machine::default(), DESKTOP)
+    }
+
+    fn type_into(&mut self, field: &str, text: &str) {
+        self.harness.get_by_role_and_label(Role::NumberInput, field).focus();
+        self.harness.run();
+        self.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        self.harness.run();
+        if text.is_empty() {
+            self.harness.key_press(Key::Backspace);
+        } else {
+            self.harness.get_by_role_and_label(Role::NumberInput, field).type_text(text);
+        }
+        self.harness.run();
+    }
+
+    fn value(&self, field: &str) -> String {
+        self.harness
+            .get_by_role_and_label(Role::NumberInput, field)
+            .value()
+            .unwrap_or_default()
+    }
+
+    fn unit(&self, field: &str) -> String {
+        self.harness
+            .get_by_role_and_label(Role::ComboBox, &format!("Unit of {field}"))
+            .value()
+            .unwrap_or_default()
+    }
+
+    fn press(&mut self, button: &str) {
+        self.harness.get_by_label(button).scroll_to_me();
+        self.harness.run();
+        self.harness.get_by_label(button).click();
+        self.harness.run();
+    }
+
+    fn choose(&mut self, combo: &str, option: &str) {
+        self.press(combo);
+        self.harness.get_by_label_contains(option).click();
+        self.harness.run();
+    }
+
+    /// Everything that can be read on the screen.
+    fn text(&self) -> String {
+        let mut said = String::new();
+        for node in self.harness.root().children_recursive() {
+            let node = node.accesskit_node();
+            for text in [node.label(), node.value(), node.description()].into_iter().flatten() {
+                said.push_str(&text);
+                said.push('\n');
+            }
+        }
+        said
+    }
+
+    fn says(&self, what: &str) -> bool {
+        self.text().contains(what)
+    }
+
+    fn focused(&self) -> String {
+        self.harness
+            .root()
+            .children_recursive()
+            .find(|node| node.is_focused())
+            .and_then(|node| node.accesskit_node().label())
+            .unwrap_or_default()
+    }
+
+    fn mug(&mut self) {
+        self.type_into(FX, "700");
+        self.type_into(B, "100");
+        self.type_into(D, "50");
+    }
+}
+
+const FX: &str = "Focal length (fx)";
+const B: &str = "Camera baseline (b)";
+const D: &str = "Disparity (d)";
+const W_IMG: &str = "Object width in image (w_img)";
+const W_REAL: &str = "Object real width (w_real)";
+
+#[test]
+fn typing_the_mug_gives_its_distance_without_pressing_anything() {
+    let mut program = Program::new();
+    assert!(program.says("–.– m"));
+    program.mug();
+    assert!(program.says("1.400 m"), "{}", program.text());
+    assert!(program.says("1.373 … 1.429 m"));
+    assert!(program.says("D = 700 px · 0.1 m / 50 px = 1.400 m"));
+}
+
+#[test]
+fn the_doorway_button_gives_its_distance_and_can_be_undone() {
+    let mut program = Program::new();
+    program.type_into(FX, "123");
+    program.press("Doorway (monocular)");
+    assert!(program.says("4.275 m"));
+    assert_eq!(program.value(FX), "950");
+    program.press("Undo");
+    assert_eq!(program.value(FX), "123");
+    assert_eq!(program.value(W_IMG), "");
+}
+
+#[test]
+fn both_results_are_shown_as_soon_as_both_can_be_had() {
+    let mut program = Program::new();
+    program.mug();
+    assert!(program.harness.query_by_role_and_label(Role::Region, "Monocular").is_none());
+    program.type_into(W_IMG, "150");
+    program.type_into(W_REAL, "0,3");
+    assert!(program.harness.query_by_role_and_label(Role::Region, "Stereo").is_some());
+    assert!(program.harness.query_by_role_and_label(Role::Region, "Monocular").is_some());
+    assert!(program.says("agree with what you entered"));
+}
+
+#[test]
+fn a_typed_unit_switches_the_unit_beside_the_field() {
+    let mut program = Program::new();
+    program.type_into(B, "10 cm");
+    assert_eq!(program.unit(B), "cm");
+    program.type_into(W_REAL, "4in");
+    assert_eq!(
+        (program.value(B).as_str(), program.unit(B).as_str()),
+        ("10", "cm"),
+        "leaving the field tidies it"
+    );
+    assert_eq!(program.unit(W_REAL), "in");
+}
+
+#[test]
+fn changing_the_unit_by_hand_keeps_the_number() {
+    let mut program = Program::new();
+    program.mug();
+    program.choose("Unit of Camera baseline (b)", "centimetres");
+    assert_eq!(program.value(B), "100");
+    assert!(program.says("14.00 m"));
+}
+
+#[test]
+fn the_unit_of_the_result_can_be_chosen_and_the_table_stays_in_metres() {
+    let mut program = Program::new();
+    program.mug();
+    program.choose("Unit of the results", "millimetres");
+    assert!(program.says("1400 mm"));
+    assert!(program.says("1373 … 1429 mm"));
+    let row = program
+        .harness
+        .get_by_role_and_label(Role::Table, "Key input parameters and outputs");
+    let cells: Vec<_> = row.children_recursive().filter_map(|node| node.value()).collect();
+    assert!(cells.iter().any(|cell| cell == "1.400"), "{cells:?}");
+}
+
+#[test]
+fn arrows_step_a_field_and_shift_ten_times() {
+    let mut program = Program::new();
+    program.type_into(D, "50");
+    program.harness.key_press(Key::ArrowUp);
+    program.harness.run();
+    assert_eq!(program.value(D), "51");
+    program.harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowDown);
+    program.harness.run();
+    assert_eq!(program.value(D), "41");
+}
+
+#[test]
+fn an_ambiguous_number_is_asked_about_and_one_click_answers() {
+    let mut program = Program::new();
+    program.type_into(FX, "1,000");
+    assert!(program.says("could mean 1000 or 1.000"));
+    program.press("Use 1000");
+    assert_eq!(program.value(FX), "1000");
+    assert!(!program.says("could mean"));
+}
+
+#[test]
+fn a_slip_of_the_unit_is_corrected_by_one_click() {
+    let mut program = Program::new();
+    program.type_into(FX, "700");
+    program.type_into(B, "0.1");
+    program.type_into(D, "50");
+    assert!(program.says("0.001400 m"), "an unusual value is used all the same");
+    program.press("Use 0.1 m");
+    assert!(program.says("1.400 m"));
+    assert_eq!(program.unit(B), "m");
+}
+
+#[test]
+fn bad_input_is_named_at_its_field_and_the_other_method_stays() {
+    let mut program = Program::new();
+    program.press("Doorway (monocular)");
+    for (text, said) in [
+        ("abc", "“abc” is not a number"),
+        ("0", "infinitely far away"),
+        ("−5", "swapped"),
+        ("1e999", "no distance that a computer can represent"),
+    ] {
+        program.type_into(D, text);
+        assert!(program.says(said), "{text}: {}", program.text());
+        assert!(program.says("4.275 m"));
+        assert!(!program.says("NaN") && !program.says("inf "));
+    }
+}
+
+#[test]
+fn calculate_marks_what_is_missing_and_goes_to_the_first_problem() {
+    let mut program = Program::new();
+    program.press("Calculate Distance");
+    assert_eq!(program.focused(), FX);
+    program.type_into(D, "50");
+    program.harness.key_press(Key::Enter);
+    program.harness.run();
+    assert_eq!(program.focused(), FX);
+    assert!(program.says("The focal length is missing for the stereo distance."));
+    assert!(program.says("The baseline is missing for the stereo distance."));
+    assert!(
+        !program.says("The real width is missing"),
+        "a method that was not touched is no problem"
+    );
+}
+
+#[test]
+fn reset_clears_everything_and_can_be_undone_and_redone() {
+    let mut program = Program::new();
+    program.mug();
+    program.press("Reset");
+    assert_eq!(program.value(D), "");
+    assert!(program.says("–.– m"));
+    program.press("Undo");
+    assert!(program.says("1.400 m"));
+    program.press("Redo");
+    assert_eq!(program.value(D), "");
+}
+
+#[test]
+fn copy_puts_the_report_on_the_clipboard_and_says_so() {
+    let mut program = Program::new();
+    program.mug();
+    program.press("Copy Results");
+    let copied = program.machine.clipboard.borrow().clone().unwrap();
+    assert!(
+        copied.contains("Camera baseline (b): 100 mm") && copied.contains("1.400 m (unrounded 1.4 m)"),
+        "{copied}"
+    );
+    assert!(program.says("Results copied"));
+}
+
+#[test]
+fn a_refused_clipboard_and_a_blocked_storage_are_said() {
+    let mut program = Program::on(
+        Machine {
+            broken: true,
+            ..Machine::default()
+        },
+        DESKTOP,
+    );
+    assert!(program.says("Storage is switched off."));
+    program.mug();
+    assert!(program.says("1.400 m"));
+    program.press("Copy Results");
+    assert!(program.says("The clipboard was refused."));
+}
+
+#[test]
+fn what_was_entered_survives_a_restart() {
+    let machine = Machine::default();
+    let mut program = Program::on(machine.clone(), DESKTOP);
+    program.mug();
+    program.choose("Unit of the results", "feet");
+    let again = Program::on(machine, DESKTOP);
+    assert_eq!(
+        (again.value(FX).as_str(), again.value(B).as_str(), again.value(D).as_str()),
+        ("700", "100", "50")
+    );
+    assert!(again.says("4.593 ft"));
+}
+
+#[test]
+fn a_corrupt_or_older_state_starts_fresh_and_says_so() {
+    for text in ["{\"version\":0}", "not json", "{\"version\":1,\"inputs\":{\"focal_length\":7}}"] {
+        let machine = Machine::default();
+        *machine.stored.borrow_mut() = Some(text.to_owned());
+        let program = Program::on(machine, DESKTOP);
+        assert!(program.says("starts fresh"), "{text}");
+        assert_eq!(program.value(FX), "");
+    }
+}
+
+#[test]
+fn a_followed_link_sets_only_what_it_names_and_can_be_undone() {
+    let machine = Machine::default();
+    let mut program = Program::on(machine.clone(), DESKTOP);
+    program.mug();
+    *machine.link.borrow_mut() = Some("#d=25".into());
+    program.harness.run();
+    assert!(program.says("2.800 m"));
+    program.press("Undo");
+    assert!(program.says("1.400 m"));
+}
+
+#[test]
+fn dragging_the_point_on_the_curve_changes_the_disparity_in_one_undo_step() {
+    let mut program = Program::new();
+    program.mug();
+    let from = program.harness.get_by_role(Role::Slider).rect().center();
+    program.harness.drag_at(from);
+    program.harness.run();
+    for step in 1..=4 {
+        program
+            .harness
+            .hover_at(from + vec2(15.0 * f32::from(u8::try_from(step).unwrap()), 0.0));
+        program.harness.run();
+    }
+    program.harness.drop_at(from + vec2(60.0, 0.0));
+    program.harness.run();
+    let dragged: f64 = program.value(D).parse().unwrap();
+    assert!(dragged > 55.0, "{dragged}");
+    program.harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    program.harness.run();
+    assert_eq!(program.value(D), "50");
+}
+
+#[test]
+fn the_point_on_the_curve_follows_the_arrow_keys() {
+    let mut program = Program::new();
+    program.mug();
+    program.harness.get_by_role(Role::Slider).focus();
+    program.harness.run();
+    program.harness.key_press(Key::ArrowRight);
+    program.harness.run();
+    assert_eq!(program.value(D), "51");
+}
+
+#[test]
+fn the_table_has_nine_rows_and_a_header() {
+    let program = Program::new();
+    let table = program
+        .harness
+        .get_by_role_and_label(Role::Table, "Key input parameters and outputs");
+    let roles: Vec<Role> = table.children_recursive().map(|node| node.accesskit_node().role()).collect();
+    assert_eq!(roles.iter().filter(|&&role| role == Role::Row).count(), 10);
+    assert_eq!(roles.iter().filter(|&&role| role == Role::ColumnHeader).count(), 4);
+    assert_eq!(roles.iter().filter(|&&role| role == Role::RowHeader).count(), 9);
+}
+
+#[test]
+fn pictures_explain_themselves_when_empty_and_carry_their_numbers_when_full() {
+    let mut program = Program::new();
+    for said in [
+        "both methods side by side",
+        "once focal length and baseline are known",
+        "as soon as a distance is known",
+    ] {
+        assert!(program.says(said), "{said}");
+    }
+    program.mug();
+    assert!(program.says("Stereo distance 1.400 m, Monocular distance –.– m"));
+    assert!(program.says("At 50 px the distance is 1.400 m"));
+    assert!(program.says("drawn midway between the cameras"));
+}
+
+#[test]
+fn learn_loads_the_examples() {
+    for (link, distance) in [("coffee mug", "1.400 m"), ("doorway", "4.275 m")] {
+        let mut program = Program::new();
+        program.press("Learn");
+        program.press(&format!("Load the {link} into the calculator"));
+        assert!(program.says(distance), "{link}");
+    }
+}
+
+#[test]
+fn on_a_phone_the_result_stays_in_sight_and_targets_fit_a_finger() {
+    let mut program = Program::on(Machine::default(), PHONE);
+    program.mug();
+    let bottom = program
+        .harness
+        .get_all_by_value("1.400 m")
+        .map(|node| node.rect())
+        .find(|rect| rect.bottom() > 780.0 && rect.bottom() <= PHONE.y);
+    assert!(bottom.is_some(), "the bar at the bottom shows the result");
+    for node in program.harness.root().children_recursive() {
+        let role = node.accesskit_node().role();
+        if matches!(role, Role::Button | Role::ComboBox | Role::NumberInput | Role::Tab | Role::Slider) {
+            let rect = node.rect();
+            let name = node.accesskit_node().label();
+            assert!(rect.height() >= 40.0 && rect.width() >= 40.0, "{role:?} {name:?} is {rect:?}");
+            assert!(rect.left() >= 0.0 && rect.right() <= PHONE.x, "{name:?} is cut off: {rect:?}");
+        }
+    }
+}
+
+#[test]
+fn nothing_is_cut_off_at_any_width() {
+    for width in [360.0, 390.0, 768.0, 1079.0, 1280.0, 1920.0, 2560.0] {
+        let mut program = Program::on(Machine::default(), vec2(width, 900.0));
+        program.mug();
+        program.type_into(W_IMG, "1,000");
+        for node in program.harness.root().children_recursive() {
+            if node.accesskit_node().raw_bounds().is_none() {
+                continue;
+            }
+            let rect = node.rect();
+            let name = node.accesskit_node().label().or_else(|| node.value());
+            assert!(rect.left() >= -0.5 && rect.right() <= width + 0.5, "at {width}: {name:?} {rect:?}");
+        }
+    }
+}
+
+#[test]
+fn the_theme_can_be_switched() {
+    let mut program = Program::new();
+    for (choice, dark) in [("Dark", true), ("Light", false)] {
+        program.press("Light or dark");
+        program.harness.get_by_label(choice).click();
+        program.harness.run();
+        assert_eq!(program.harness.ctx.global_style().visuals.dark_mode, dark, "{choice}");
+    }
+}
+
+#[test]
+fn nothing_is_computed_while_nothing_happens() {
+    let mut program = Program::new();
+    program.mug();
+    program.harness.run();
+    assert!(
+        !program.harness.ctx.has_requested_repaint(),
+        "{:?}",
+        program.harness.ctx.repaint_causes()
+    );
+}

@@ -1,0 +1,96 @@
+//! `cargo xtask dist`: the page in dist/, for any static host.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::step::{command, output, root, run, step};
+use crate::tools;
+
+/// Builds the page and prints the size of every file.
+pub(crate) fn print() -> Result<(), String> {
+    let dist = build()?;
+    let mut files = Vec::new();
+    collect_files(&dist, &mut files).map_err(|error| format!("dist/ cannot be read: {error}."))?;
+    files.sort();
+
+    let compressed = brotli_sizes(&files);
+    println!("\n{:>12} {:>12}  file", "bytes", "with brotli");
+    let (mut all, mut all_compressed) = (0, 0);
+    for (at, file) in files.iter().enumerate() {
+        let size = fs::metadata(file)
+            .map_err(|error| format!("{} cannot be read: {error}.", file.display()))?
+            .len();
+        let small = compressed.get(at);
+        all += size;
+        all_compressed += small.unwrap_or(&0);
+        println!(
+            "{size:>12} {:>12}  {}",
+            cell(small),
+            file.strip_prefix(&dist).unwrap_or(file).display()
+        );
+    }
+    println!("{all:>12} {:>12}  together", cell(compressed.first().map(|_first| &all_compressed)));
+    if compressed.is_empty() {
+        println!("Compressed sizes need Node.js on PATH.");
+    }
+    println!("\nCopy the folder dist/ to any static host, under any path.");
+    Ok(())
+}
+
+fn cell(size: Option<&u64>) -> String {
+    size.map_or_else(|| "-".to_owned(), u64::to_string)
+}
+
+/// Builds the page into dist/, whose path it returns.
+pub(crate) fn build() -> Result<PathBuf, String> {
+    let path = tools::set_up()?;
+    tools::fetch_crates()?;
+    step("Build the page (3 to 6 minutes on two cores the first time)", || {
+        let mut trunk = command("trunk", &["build", "--release", "--offline", "--skip-version-check"]);
+        // Trunk takes NO_COLOR=1, which is how others understand it, for a mistake.
+        run(trunk.env("PATH", &path).env_remove("NO_COLOR"))?;
+        let dist = root().join("dist");
+        write_program_size(&dist)?;
+        Ok(dist)
+    })
+}
+
+/// Tells the page how large its program is: a host that compresses does not say so, and the bar needs an end.
+fn write_program_size(dist: &Path) -> Result<(), String> {
+    const PLACE: &str = "type=\"application/wasm\"";
+    let page = dist.join("index.html");
+    let html = fs::read_to_string(&page).map_err(|error| format!("dist/index.html cannot be read: {error}."))?;
+    let program = fs::read_dir(dist)
+        .map_err(|error| format!("dist/ cannot be read: {error}."))?
+        .filter_map(|entry| Some(entry.ok()?.path()))
+        .find(|path| path.extension().is_some_and(|extension| extension == "wasm"))
+        .ok_or("The build left no WebAssembly file in dist/.")?;
+    let size = fs::metadata(&program)
+        .map_err(|error| format!("{} cannot be read: {error}.", program.display()))?
+        .len();
+    if html.matches(PLACE).count() != 1 {
+        return Err(format!("dist/index.html should preload one program, with {PLACE}; it does not."));
+    }
+    fs::write(&page, html.replace(PLACE, &format!("{PLACE} data-bytes=\"{size}\"")))
+        .map_err(|error| format!("dist/index.html cannot be written: {error}."))
+}
+
+fn collect_files(folder: &Path, files: &mut Vec<PathBuf>) -> std::io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            collect_files(&path, files)?;
+        } else {
+            files.push(path);
+        }
+    }
+    Ok(())
+}
+
+/// How large each file is as a good host sends it; empty without Node.js, which knows how to compress.
+fn brotli_sizes(files: &[PathBuf]) -> Vec<u64> {
+    const SCRIPT: &str = "for (const file of process.argv.slice(1))
+        console.log(require('zlib').brotliCompressSync(require('fs').readFileSync(file)).length)";
+    let sizes = output(command("node", &["--eval", SCRIPT]).args(files)).unwrap_or_default();
+    sizes.lines().filter_map(|size| size.parse().ok()).collect()
+}

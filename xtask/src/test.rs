@@ -1,0 +1,13 @@
+//! `cargo xtask test`: every test, from the formulas to a real browser.
+
+use crate::step::{cargo, run, step};
+use crate::{browsers, dist};
+
+/// Runs all tests; the browsers get the page exactly as `cargo xtask dist` leaves it.
+pub(crate) fn run_all() -> Result<(), String> {
+    step("Tests and examples in the documentation", || {
+        run(&mut cargo(&["test", "--locked", "--workspace"]))
+    })?;
+    let dist = dist::build()?;
+    browsers::test(&dist)
+}
