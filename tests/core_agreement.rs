@@ -2,9 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
 use depth_calculator::core::agreement::{Suspect, Verdict, combine, compare};
+use depth_calculator::core::field::Field;
 use depth_calculator::core::measured::Measured;
 use depth_calculator::core::quantity::{Length, LengthUnit};
-use depth_calculator::core::uncertainty::{Model, Source};
+use depth_calculator::core::uncertainty::Model;
 use proptest::prelude::*;
 
 const NO_DOFFS: Measured = Measured::exact(0.0);
@@ -142,8 +143,8 @@ fn every_slip_of_the_unit_is_recognised_in_either_length() {
         for meant in LengthUnit::ALL.into_iter().filter(|&meant| meant != taken) {
             let factor = Length::new(1.0, taken).m() / Length::new(1.0, meant).m();
             for (source, found) in [
-                (Source::Baseline, suspects(factor, 1.0, 1.0, 1.0)),
-                (Source::RealWidth, suspects(1.0, 1.0, factor, 1.0)),
+                (Field::Baseline, suspects(factor, 1.0, 1.0, 1.0)),
+                (Field::RealWidth, suspects(1.0, 1.0, factor, 1.0)),
             ] {
                 let slip = Suspect::Unit { source, taken, meant };
                 let place = found.iter().position(|&suspect| suspect == slip);
@@ -157,9 +158,9 @@ fn every_slip_of_the_unit_is_recognised_in_either_length() {
 #[test]
 fn a_resized_image_is_recognised() {
     let resized = |source, times| Suspect::Resized { source, times };
-    assert!(suspects(1.0, 2.0, 1.0, 1.0)[..2].contains(&resized(Source::Disparity, 2.0)));
-    assert!(suspects(1.0, 0.5, 1.0, 1.0)[..2].contains(&resized(Source::Disparity, 0.5)));
-    assert!(suspects(1.0, 1.0, 1.0, 2.0)[..2].contains(&resized(Source::ImageWidth, 2.0)));
+    assert!(suspects(1.0, 2.0, 1.0, 1.0)[..2].contains(&resized(Field::Disparity, 2.0)));
+    assert!(suspects(1.0, 0.5, 1.0, 1.0)[..2].contains(&resized(Field::Disparity, 0.5)));
+    assert!(suspects(1.0, 1.0, 1.0, 2.0)[..2].contains(&resized(Field::ImageWidth, 2.0)));
 }
 
 #[test]
@@ -168,15 +169,15 @@ fn without_a_typical_factor_the_exact_and_the_vaguest_inputs_are_suspected() {
     assert_eq!(
         found,
         [
-            Suspect::NoSigma(Source::Baseline),
-            Suspect::NoSigma(Source::RealWidth),
-            Suspect::LargestSigma(Source::ImageWidth),
+            Suspect::NoSigma(Field::Baseline),
+            Suspect::NoSigma(Field::RealWidth),
+            Suspect::LargestSigma(Field::ImageWidth),
         ]
     );
     // The focal length cancels: however vague, it is no suspect.
     let vague = Measured::new(700.0, 300.0);
     let found = compare(&stereo(vague, Measured::new(0.14, 0.0005), D), &monocular(vague, W, P)).suspects;
-    assert_eq!(found, [Suspect::LargestSigma(Source::RealWidth)]);
+    assert_eq!(found, [Suspect::LargestSigma(Field::RealWidth)]);
 }
 
 fn any_magnitude() -> impl Strategy<Value = f64> {

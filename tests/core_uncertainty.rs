@@ -1,10 +1,11 @@
 //! The uncertainty of one distance: golden figures, the definition of the interval, and every magnitude an f64 can have.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
+use depth_calculator::core::field::Field;
 use depth_calculator::core::measured::Measured;
 use depth_calculator::core::quantity::{Length, Pixels};
 use depth_calculator::core::stereo;
-use depth_calculator::core::uncertainty::{FIRST_ORDER_LIMIT, Model, Source, Unusable};
+use depth_calculator::core::uncertainty::{FIRST_ORDER_LIMIT, Model, Unusable};
 use proptest::prelude::*;
 
 const NO_DOFFS: Measured = Measured::exact(0.0);
@@ -60,11 +61,11 @@ fn the_mug_by_its_width_is_1400_mm_away_give_or_take_50() {
 #[test]
 fn the_disparity_is_responsible_for_three_quarters_of_the_variance() {
     let budget = mug().variance_budget();
-    let sources: Vec<Source> = budget.iter().map(|share| share.source).collect();
-    assert_eq!(sources, [Source::FocalLength, Source::Baseline, Source::Disparity]);
+    let sources: Vec<Field> = budget.iter().map(|share| share.source).collect();
+    assert_eq!(sources, [Field::FocalLength, Field::Baseline, Field::Disparity]);
     assert_near(budget[2].share, 0.75, 0.005);
     let budget = mug_by_its_width().variance_budget();
-    assert_eq!(budget[1].source, Source::RealWidth);
+    assert_eq!(budget[1].source, Field::RealWidth);
     assert_near(budget[1].share, 0.86, 0.005);
 }
 
@@ -76,7 +77,7 @@ fn the_variance_of_doffs_adds_to_that_of_the_disparity() {
     assert_near(model.depth().m(), 70.0 / 90.0, 1e-15);
     assert_near(model.relative_sigma(), 0.5 / 90.0, 1e-15);
     let budget = model.variance_budget();
-    assert_eq!(budget[3].source, Source::Doffs);
+    assert_eq!(budget[3].source, Field::Doffs);
     assert_near(budget[3].share, 0.64, 1e-12);
 }
 
@@ -153,13 +154,13 @@ fn an_input_that_cannot_be_used_is_named() {
     let make = |f, b, d, o| Model::stereo(f, b, d, o);
     let (f, b, d, o) = (Measured::exact(700.0), Measured::exact(0.1), Measured::exact(50.0), NO_DOFFS);
     let nan = Measured::exact(f64::NAN);
-    assert_eq!(make(nan, b, d, o), Err(Unusable::Value(Source::FocalLength)));
-    assert_eq!(make(f, Measured::exact(-0.1), d, o), Err(Unusable::Value(Source::Baseline)));
-    assert_eq!(make(f, b, Measured::exact(0.0), o), Err(Unusable::Value(Source::Disparity)));
-    assert_eq!(make(f, b, d, Measured::exact(-50.0)), Err(Unusable::Value(Source::Disparity)));
-    assert_eq!(make(f, b, d, nan), Err(Unusable::Value(Source::Doffs)));
-    assert_eq!(make(f, b, Measured::new(50.0, -1.0), o), Err(Unusable::Sigma(Source::Disparity)));
-    assert_eq!(make(f, b, d, Measured::new(0.0, f64::NAN)), Err(Unusable::Sigma(Source::Doffs)));
+    assert_eq!(make(nan, b, d, o), Err(Unusable::Value(Field::FocalLength)));
+    assert_eq!(make(f, Measured::exact(-0.1), d, o), Err(Unusable::Value(Field::Baseline)));
+    assert_eq!(make(f, b, Measured::exact(0.0), o), Err(Unusable::Value(Field::Disparity)));
+    assert_eq!(make(f, b, d, Measured::exact(-50.0)), Err(Unusable::Value(Field::Disparity)));
+    assert_eq!(make(f, b, d, nan), Err(Unusable::Value(Field::Doffs)));
+    assert_eq!(make(f, b, Measured::new(50.0, -1.0), o), Err(Unusable::Sigma(Field::Disparity)));
+    assert_eq!(make(f, b, d, Measured::new(0.0, f64::NAN)), Err(Unusable::Sigma(Field::Doffs)));
     let huge = Measured::exact(1e300);
     assert_eq!(make(huge, huge, d, o), Err(Unusable::Distance));
     assert!(

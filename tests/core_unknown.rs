@@ -1,8 +1,8 @@
 //! Each unknown of the two equations: golden figures, round trips, and σ against numerical derivatives.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
+use depth_calculator::core::field::Field;
 use depth_calculator::core::measured::Measured;
-use depth_calculator::core::uncertainty::Source;
 use depth_calculator::core::unknown::{MonocularEquation, StereoEquation, Term, Unsolvable};
 use proptest::prelude::*;
 
@@ -55,10 +55,10 @@ fn mug() -> [Measured; 4] {
 #[test]
 fn each_term_of_the_measured_pair_follows_from_the_others() {
     let terms = [
-        Term::Input(Source::FocalLength),
-        Term::Input(Source::Baseline),
-        Term::Input(Source::Disparity),
-        Term::Input(Source::Doffs),
+        Term::Input(Field::FocalLength),
+        Term::Input(Field::Baseline),
+        Term::Input(Field::Disparity),
+        Term::Input(Field::Doffs),
         Term::Distance,
     ];
     for (unknown, term) in terms.into_iter().enumerate() {
@@ -74,9 +74,9 @@ fn each_term_of_the_measured_pair_follows_from_the_others() {
 #[test]
 fn each_term_of_the_mug_follows_from_the_others() {
     let terms = [
-        Term::Input(Source::FocalLength),
-        Term::Input(Source::RealWidth),
-        Term::Input(Source::ImageWidth),
+        Term::Input(Field::FocalLength),
+        Term::Input(Field::RealWidth),
+        Term::Input(Field::ImageWidth),
         Term::Distance,
     ];
     for (unknown, term) in terms.into_iter().enumerate() {
@@ -136,10 +136,10 @@ fn a_term_that_cannot_be_used_is_named() {
     assert_eq!(stereo(given, 1), Err(Unsolvable::Unusable(Term::Distance)));
     let mut given = measured_pair();
     given[3] = Measured::exact(-50.0);
-    assert_eq!(stereo(given, 4), Err(Unsolvable::Unusable(Term::Input(Source::Disparity))));
+    assert_eq!(stereo(given, 4), Err(Unsolvable::Unusable(Term::Input(Field::Disparity))));
     let mut given = mug();
     given[2].sigma = -1.0;
-    assert_eq!(monocular(given, 0), Err(Unsolvable::Unusable(Term::Input(Source::ImageWidth))));
+    assert_eq!(monocular(given, 0), Err(Unsolvable::Unusable(Term::Input(Field::ImageWidth))));
     let mut given = mug();
     given[0] = Measured::exact(1e300);
     given[1] = Measured::exact(1e300);

@@ -58,6 +58,7 @@ fn problem(focal_length: f64, baseline: f64, disparity: f64, image_width: f64, r
         disparity: Some(Pixels::new(disparity)),
         image_width: Some(Pixels::new(image_width)),
         real_width: Some(Length::from_m(real_width)),
+        ..Problem::default()
     }
 }
 

@@ -1,9 +1,10 @@
 //! What a person can want. Screens add [`Command`]s to a list, as one click can be two things (a field is left, a button is
 //! pressed); `App::logic` is the one place that carries them out, in order.
 
+use super::calculator::helpers::Helper;
 use super::saved::Screen;
 use crate::core::problem::Field;
-use crate::core::quantity::LengthUnit;
+use crate::core::quantity::{LengthUnit, Pixels};
 use crate::formats::inputs::{Entry, Inputs};
 use egui::ThemePreference;
 
@@ -20,14 +21,20 @@ pub enum Command {
     Redo,
     /// Put the results on the clipboard.
     CopyResults,
-    /// Replace everything typed by an example, and show the calculator.
-    Open(Inputs),
+    /// Replace what was typed, show the calculator, and say this.
+    Open(Box<Inputs>, &'static str),
     /// Replace what was typed into a field by what a note offered.
     Fix(Field, Entry),
     /// The pointer moved the point on the curve to this disparity, px; all moves until [`Command::Settle`] are one undo step.
     DragDisparity(f64),
     /// An edit is complete: a drag ended, a field was left.
     Settle,
+    /// Open a helper, or close the one that is open.
+    Help(Option<Helper>),
+    /// The principal point became known, cx and cy.
+    PrincipalPoint(Pixels, Pixels),
+    /// Show or hide range, tilt and ground plane.
+    ShowGeometry(bool),
     /// Show a screen.
     Show(Screen),
     /// Show results in this unit.

@@ -142,12 +142,13 @@ impl App {
                 }
                 self.calculator.marked = false;
             }
-            Command::Open(inputs) => {
+            Command::Open(inputs, said) => {
                 let replaced = !self.sheet.inputs.is_blank();
-                self.sheet.inputs = inputs;
+                self.sheet.inputs = *inputs;
                 self.settings.screen = Screen::Calculator;
                 self.calculator.reveal_results = Layout::of_width(ctx.content_rect().width()) == Layout::Phone;
-                self.say("The example is filled in.", replaced.then_some(("Undo", Command::Undo)));
+                self.calculator.helper = None;
+                self.say(said, replaced.then_some(("Undo", Command::Undo)));
             }
             Command::Undo => match self.history.undo() {
                 Some(inputs) => {
@@ -170,9 +171,13 @@ impl App {
             Command::Fix(field, entry) => {
                 *self.sheet.inputs.entry_mut(field) = entry;
                 self.sheet.inputs.tidy(field);
+                self.calculator.helper = None;
                 ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(field)));
             }
             Command::DragDisparity(disparity) => self.sheet.inputs.entry_mut(Field::Disparity).text = number::plain(disparity),
+            Command::Help(helper) => self.calculator.helper = helper,
+            Command::PrincipalPoint(cx, cy) => calculator::geometry::set_principal_point(&mut self.settings.texts, cx, cy),
+            Command::ShowGeometry(shown) => self.settings.shows_geometry = shown,
             Command::Show(screen) => self.settings.screen = screen,
             Command::ShowResultsIn(unit) => self.settings.result_unit = unit,
             Command::Theme(theme) => {
@@ -249,8 +254,7 @@ impl eframe::App for App {
         if let Some(fragment) = self.platform.link() {
             let mut inputs = self.sheet.inputs.clone();
             if link::apply(&fragment, &mut inputs) {
-                self.carry_out(ctx, Command::Open(inputs));
-                self.say("The link filled in the fields that it names.", Some(("Undo", Command::Undo)));
+                self.carry_out(ctx, Command::Open(Box::new(inputs), "The link filled in the fields that it names."));
             }
         }
         for command in std::mem::take(&mut self.pending) {
@@ -260,6 +264,9 @@ impl eframe::App for App {
             Some(Ok(())) => self.say("Results copied to the clipboard.", None),
             Some(Err(reason)) => self.say(&reason, None),
             None => {}
+        }
+        if self.calculator.simulate(self.sheet.assessment()) {
+            ctx.request_repaint();
         }
         self.store();
     }
@@ -301,8 +308,7 @@ impl eframe::App for App {
                 ui.with_layout(egui::Layout::top_down(Align::Min), |ui| match self.settings.screen {
                     Screen::Learn => self.learn.show(ui, layout, &mut commands),
                     Screen::Calculator => {
-                        let unit = self.settings.result_unit;
-                        self.calculator.show(ui, layout, &mut self.sheet, unit, &mut commands);
+                        self.calculator.show(ui, layout, &mut self.sheet, &mut self.settings, &mut commands);
                     }
                 });
             });
@@ -381,6 +387,7 @@ fn theme_choice(ui: &mut Ui, layout: Layout, preference: ThemePreference, comman
             ] {
                 if ui.selectable_label(preference == choice, name).clicked() {
                     commands.push(Command::Theme(choice));
+                    ui.close();
                 }
             }
         })

@@ -4,6 +4,7 @@ use crate::core::quantity::LengthUnit;
 use crate::formats::inputs::Inputs;
 use egui::ThemePreference;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// The screens of the program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -38,7 +39,14 @@ pub struct Settings {
     pub theme: ThemePreference,
     /// The screen last shown.
     pub screen: Screen,
+    /// Whether range, tilt and ground plane are shown.
+    pub shows_geometry: bool,
+    /// What was typed into helpers and into range, tilt and ground plane, by name.
+    pub texts: Texts,
 }
+
+/// Texts by the name of the field that they were typed into.
+pub type Texts = BTreeMap<String, String>;
 
 impl Default for Settings {
     fn default() -> Self {
@@ -46,6 +54,8 @@ impl Default for Settings {
             result_unit: LengthUnit::Metre,
             theme: ThemePreference::System,
             screen: Screen::Calculator,
+            shows_geometry: false,
+            texts: Texts::new(),
         }
     }
 }
@@ -71,6 +81,10 @@ struct Stored {
     result_unit: LengthUnit,
     theme: StoredTheme,
     screen: Screen,
+    #[serde(default)]
+    shows_geometry: bool,
+    #[serde(default)]
+    texts: Texts,
 }
 
 #[derive(Clone, Copy, Serialize, Deserialize)]
@@ -97,6 +111,8 @@ impl Saved {
                 ThemePreference::Dark => StoredTheme::Dark,
             },
             screen: self.settings.screen,
+            shows_geometry: self.settings.shows_geometry,
+            texts: self.settings.texts.clone(),
         })
         .map_err(|error| error.to_string())
     }
@@ -114,6 +130,8 @@ impl Saved {
                     StoredTheme::Dark => ThemePreference::Dark,
                 },
                 screen: stored.screen,
+                shows_geometry: stored.shows_geometry,
+                texts: stored.texts,
             },
         })
     }
@@ -133,6 +151,8 @@ mod tests {
                 result_unit: LengthUnit::Foot,
                 theme: ThemePreference::Dark,
                 screen: Screen::Learn,
+                shows_geometry: true,
+                texts: Texts::from([("lens".into(), "4".into())]),
             },
         };
         assert_eq!(Saved::from_text(&saved.to_text().unwrap()), Some(saved));

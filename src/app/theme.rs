@@ -37,8 +37,14 @@ pub struct Palette {
     pub orange_text: Color32,
     /// Behind the monocular badge.
     pub orange_tint: Color32,
+    /// Agreement, and what was solved for.
+    pub green: Color32,
+    /// Behind that.
+    pub green_tint: Color32,
     /// Errors.
     pub red: Color32,
+    /// Behind the badge of disagreement.
+    pub red_tint: Color32,
     /// Warnings.
     pub amber: Color32,
 }
@@ -58,7 +64,10 @@ const LIGHT: Palette = Palette {
     orange: Color32::from_rgb(0xd9, 0x73, 0x0d),
     orange_text: Color32::from_rgb(0x96, 0x4b, 0x00),
     orange_tint: Color32::from_rgb(0xfa, 0xe8, 0xd6),
+    green: Color32::from_rgb(0x15, 0x6b, 0x3d),
+    green_tint: Color32::from_rgb(0xd7, 0xee, 0xe1),
     red: Color32::from_rgb(0xb4, 0x23, 0x18),
+    red_tint: Color32::from_rgb(0xfb, 0xe3, 0xe0),
     amber: Color32::from_rgb(0x8a, 0x53, 0x00),
 };
 
@@ -77,7 +86,10 @@ const DARK: Palette = Palette {
     orange: Color32::from_rgb(0xf0, 0x99, 0x4a),
     orange_text: Color32::from_rgb(0xf5, 0xa9, 0x62),
     orange_tint: Color32::from_rgb(0x45, 0x2d, 0x17),
+    green: Color32::from_rgb(0x5a, 0xd0, 0x9a),
+    green_tint: Color32::from_rgb(0x16, 0x3a, 0x2a),
     red: Color32::from_rgb(0xff, 0x8a, 0x80),
+    red_tint: Color32::from_rgb(0x48, 0x1f, 0x1c),
     amber: Color32::from_rgb(0xf0, 0xb4, 0x5a),
 };
 
@@ -315,6 +327,8 @@ mod tests {
                 ("main button", p.on_blue, p.blue, 4.5),
                 ("stereo badge", p.blue, p.blue_tint, 4.5),
                 ("monocular badge", p.orange_text, p.orange_tint, 4.5),
+                ("agreement badge", p.green, p.green_tint, 4.5),
+                ("disagreement badge", p.red, p.red_tint, 4.5),
                 ("error", p.red, p.surface, 4.5),
                 ("warning", p.amber, p.surface, 4.5),
                 ("border on card", p.border, p.surface, 3.0),

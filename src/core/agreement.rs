@@ -3,9 +3,10 @@
 //! Both are computed from the same focal length. Its error moves both alike: it can neither make them disagree nor be
 //! averaged away.
 
+use super::field::Field;
 use super::measured::{Measured, root_sum_of_squares};
 use super::quantity::{Length, LengthUnit};
-use super::uncertainty::{Model, Source};
+use super::uncertainty::Model;
 
 /// The two distances combined, in metres, weighted by what each does not share with the other.
 ///
@@ -88,7 +89,7 @@ pub enum Suspect {
     /// A length was given in the wrong unit.
     Unit {
         /// The baseline or the real width.
-        source: Source,
+        source: Field,
         /// The unit it was taken to be in.
         taken: LengthUnit,
         /// The unit in which the two distances would agree.
@@ -97,14 +98,14 @@ pub enum Suspect {
     /// Pixels counted in an image of another size than the one the focal length belongs to.
     Resized {
         /// The disparity or the width in the image.
-        source: Source,
+        source: Field,
         /// How many times larger that image is: 2 or ½.
         times: f64,
     },
     /// An input that claims to be exact.
-    NoSigma(Source),
+    NoSigma(Field),
     /// The input with the largest relative uncertainty.
-    LargestSigma(Source),
+    LargestSigma(Field),
 }
 
 /// How near, in the logarithm, a ratio must come to a blunder's factor to be laid at its door: 8 %. Half the gap between
@@ -151,7 +152,7 @@ fn suspects(first: &Model, second: &Model, log_ratio: f64) -> Vec<Suspect> {
     let largest = [first, second]
         .into_iter()
         .flat_map(|model| model.relative_sigmas())
-        .filter(|&(source, relative)| source != Source::FocalLength && relative > 0.0)
+        .filter(|&(source, relative)| source != Field::FocalLength && relative > 0.0)
         .max_by(|(_, a), (_, b)| a.total_cmp(b));
 
     blunders
@@ -167,7 +168,7 @@ fn blunders(model: &Model) -> Vec<(f64, Suspect)> {
     let (pixels, _) = model.pixels();
     let (length, _) = model.length();
     let mut list = Vec::new();
-    if pixels == Source::Disparity {
+    if pixels == Field::Disparity {
         // OpenCV's fixed point; DepthAI's three, four and five sub-pixel bits; KITTI's 16-bit images.
         list.extend([16.0_f64, 8.0, 32.0, 256.0].map(|scale| (-scale.ln(), Suspect::RawDisparity { scale })));
     }

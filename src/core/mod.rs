@@ -4,6 +4,7 @@ pub mod agreement;
 pub mod angle;
 pub mod camera;
 pub mod disparity;
+pub mod field;
 pub mod measured;
 pub mod monocular;
 pub mod monte_carlo;

@@ -1,99 +1,15 @@
 //! [`Problem`] (what is known) to [`Solution`] (everything that follows from it). Every screen, the command line, links and
 //! reports go through this one step, so that they cannot disagree.
 
+pub use super::field::Field;
+use super::measured::Measured;
 use super::quantity::{Length, LengthUnit, Pixels};
-use super::{monocular, stereo};
+use super::uncertainty::{Interval, Model, Share, Unusable};
+use super::{agreement, monocular, stereo};
 use serde::{Deserialize, Serialize};
 
-/// One of the five inputs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum Field {
-    /// fx, px
-    FocalLength,
-    /// b, a length
-    Baseline,
-    /// d, px
-    Disparity,
-    /// w_img, px
-    ImageWidth,
-    /// w_real, a length
-    RealWidth,
-}
-
-impl Field {
-    /// Every field, in reading order.
-    pub const ALL: [Self; 5] = [
-        Self::FocalLength,
-        Self::Baseline,
-        Self::Disparity,
-        Self::ImageWidth,
-        Self::RealWidth,
-    ];
-
-    /// The name people and tests look for.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::FocalLength => "Focal length (fx)",
-            Self::Baseline => "Camera baseline (b)",
-            Self::Disparity => "Disparity (d)",
-            Self::ImageWidth => "Object width in image (w_img)",
-            Self::RealWidth => "Object real width (w_real)",
-        }
-    }
-
-    /// The symbol in the formulas.
-    pub const fn symbol(self) -> &'static str {
-        match self {
-            Self::FocalLength => "fx",
-            Self::Baseline => "b",
-            Self::Disparity => "d",
-            Self::ImageWidth => "w_img",
-            Self::RealWidth => "w_real",
-        }
-    }
-
-    /// Whether the field is a length (with a choice of unit) rather than a number of pixels.
-    pub const fn is_length(self) -> bool {
-        matches!(self, Self::Baseline | Self::RealWidth)
-    }
-
-    /// The range outside which a value deserves a warning, in px or metres.
-    ///
-    /// Wide on purpose: the presets of real cameras lie far inside; a value outside is nearly always a slip of the unit.
-    pub const fn usual_range(self) -> (f64, f64) {
-        match self {
-            Self::FocalLength => (50.0, 20_000.0),
-            Self::Baseline => (0.005, 5.0),
-            Self::Disparity => (0.5, 1000.0),
-            Self::ImageWidth => (5.0, 5000.0),
-            Self::RealWidth => (0.005, 50.0),
-        }
-    }
-
-    /// Whether `value` (px or metres) lies in the [usual range](Self::usual_range), its ends included.
-    pub fn is_usual(self, value: f64) -> bool {
-        let (low, high) = self.usual_range();
-        (low..=high).contains(&value)
-    }
-
-    /// Checks that `value` (px or metres) can be used at all: positive, finite and normal.
-    pub fn check(self, value: f64) -> Result<(), Refusal> {
-        if value.is_nan() {
-            Err(Refusal::NotANumber)
-        } else if value == 0.0 {
-            Err(Refusal::Zero)
-        } else if value < 0.0 {
-            Err(Refusal::Negative)
-        } else if !value.is_normal() {
-            Err(Refusal::TooExtreme)
-        } else {
-            Ok(())
-        }
-    }
-}
-
 /// The two ways to a distance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Method {
     /// Two cameras: D = fx·b/d.
     Stereo,
@@ -160,10 +76,37 @@ pub struct Problem {
     pub baseline: Option<Length>,
     /// d: horizontal shift of the object between the rectified images.
     pub disparity: Option<Pixels>,
+    /// δ = cx_right − cx_left; `None` is 0.
+    pub doffs: Option<Pixels>,
     /// w_img: width of the object in the image.
     pub image_width: Option<Pixels>,
     /// w_real: width of the object itself.
     pub real_width: Option<Length>,
+    /// How well each is known.
+    pub sigmas: Sigmas,
+}
+
+/// The standard uncertainty (1 σ) of each input in its base unit (px or metres), where one was given.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sigmas([Option<f64>; Field::ALL.len()]);
+
+impl Sigmas {
+    /// σ of `field` in px or metres.
+    pub fn get(&self, field: Field) -> Option<f64> {
+        Field::ALL
+            .iter()
+            .zip(&self.0)
+            .find_map(|(&candidate, &sigma)| if candidate == field { sigma } else { None })
+    }
+
+    /// Sets σ of `field` in px or metres.
+    pub fn set(&mut self, field: Field, sigma: Option<f64>) {
+        for (candidate, slot) in Field::ALL.iter().zip(&mut self.0) {
+            if *candidate == field {
+                *slot = sigma;
+            }
+        }
+    }
 }
 
 impl Problem {
@@ -173,6 +116,7 @@ impl Problem {
             Field::FocalLength => self.focal_length.map(Pixels::px),
             Field::Baseline => self.baseline.map(Length::m),
             Field::Disparity => self.disparity.map(Pixels::px),
+            Field::Doffs => self.doffs.map(Pixels::px),
             Field::ImageWidth => self.image_width.map(Pixels::px),
             Field::RealWidth => self.real_width.map(Length::m),
         }
@@ -184,9 +128,56 @@ impl Problem {
             Field::FocalLength => self.focal_length = value.map(Pixels::new),
             Field::Baseline => self.baseline = value.map(Length::from_m),
             Field::Disparity => self.disparity = value.map(Pixels::new),
+            Field::Doffs => self.doffs = value.map(Pixels::new),
             Field::ImageWidth => self.image_width = value.map(Pixels::new),
             Field::RealWidth => self.real_width = value.map(Length::from_m),
         }
+    }
+
+    /// The value of `field` with its σ, 0 where none was given.
+    pub fn measured(&self, field: Field) -> Option<Measured> {
+        Some(Measured::new(self.get(field)?, self.sigmas.get(field).unwrap_or(0.0)))
+    }
+
+    /// d + δ: the disparity as it enters the formula. Its sign decides whether the object is in front of the cameras.
+    pub fn effective_disparity(&self) -> Option<Pixels> {
+        Some(Pixels::new(self.disparity?.px() + self.doffs.map_or(0.0, Pixels::px)))
+    }
+
+    /// Checks that the value of `field`, if it has one, can be used: positive, finite and normal. A disparity is judged
+    /// together with doffs, which itself may be any finite number.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn check(&self, field: Field) -> Result<(), Refusal> {
+        let value = match field {
+            Field::Disparity => self.effective_disparity().map(Pixels::px),
+            _ => self.get(field),
+        };
+        match value {
+            None => Ok(()),
+            Some(value) if value.is_nan() => Err(Refusal::NotANumber),
+            Some(value) if field == Field::Doffs => {
+                if value.is_finite() {
+                    Ok(())
+                } else {
+                    Err(Refusal::TooExtreme)
+                }
+            }
+            Some(0.0) => Err(Refusal::Zero),
+            Some(value) if value < 0.0 => Err(Refusal::Negative),
+            Some(value) if !value.is_normal() => Err(Refusal::TooExtreme),
+            Some(_) => Ok(()),
+        }
+    }
+
+    /// Whether the value of `field` lies in its [usual range](Field::usual_range); true where there is none.
+    pub fn is_usual(&self, field: Field) -> bool {
+        let value = match field {
+            Field::Disparity => self.effective_disparity().map(Pixels::px),
+            _ => self.get(field),
+        };
+        value.is_none_or(|value| field.is_usual(value))
     }
 
     /// Everything that follows from what is known.
@@ -206,28 +197,74 @@ impl Problem {
             (Some(f), Some(w), Some(z)) => finite_length(monocular::real_width(f, w, z)),
             _ => None,
         };
+        let known = |method, outcome: Outcome| outcome.distance().and_then(|_| self.known(method));
+        let (stereo_known, unusable) = split(known(Method::Stereo, stereo));
+        let (monocular_known, also_unusable) = split(known(Method::Monocular, monocular));
+        let together = match (&stereo_known, &monocular_known) {
+            (Some(stereo), Some(monocular)) => Some(Together {
+                combined: agreement::combine(&stereo.model, &monocular.model),
+                agreement: agreement::compare(&stereo.model, &monocular.model),
+            }),
+            _ => None,
+        };
         Solution {
             problem: *self,
             stereo,
             monocular,
             estimated_width_px,
             estimated_width,
+            stereo_known,
+            monocular_known,
+            together,
+            unusable_sigma: unusable.or(also_unusable),
         }
     }
 
     /// The stereo distance had the disparity been `shift` px larger (nearer) or smaller (farther); `None` where the object
     /// would be infinitely far away or the inputs are incomplete.
     pub fn stereo_distance_if(&self, shift: f64) -> Option<Length> {
-        let disparity = self.disparity?.px() + shift;
+        let disparity = self.effective_disparity()?.px() + shift;
         if disparity <= 0.0 {
             return None;
         }
         finite_length(stereo::depth(self.focal_length?, self.baseline?, Pixels::new(disparity)))
     }
 
+    /// The inputs of `method` with their σ, as one model.
+    fn model(&self, method: Method) -> Option<Result<Model, Unusable>> {
+        let measured = |field| self.measured(field);
+        let focal_length = measured(Field::FocalLength)?;
+        Some(match method {
+            Method::Stereo => Model::stereo(
+                focal_length,
+                measured(Field::Baseline)?,
+                measured(Field::Disparity)?,
+                // A σ without a value belongs to an offset of 0.
+                Measured::new(self.doffs.map_or(0.0, Pixels::px), self.sigmas.get(Field::Doffs).unwrap_or(0.0)),
+            ),
+            Method::Monocular => Model::monocular(focal_length, measured(Field::RealWidth)?, measured(Field::ImageWidth)?),
+        })
+    }
+
+    /// How sure one can be of the distance of `method`; `None` where no input has a σ. The error names the input whose σ is
+    /// out of all proportion.
+    fn known(&self, method: Method) -> Option<Result<Known, Field>> {
+        match self.model(method)? {
+            Ok(model) if model.relative_sigma() == 0.0 => None,
+            Ok(model) => Some(Ok(Known::new(model))),
+            Err(Unusable::Sigma(field) | Unusable::Value(field)) => Some(Err(field)),
+            Err(Unusable::Distance) => Some(Err(Field::FocalLength)),
+        }
+    }
+
     fn solve_method(&self, method: Method) -> Outcome {
+        for field in method.fields() {
+            if let Err(refusal) = self.check(field) {
+                return Outcome::Refused { field, refusal };
+            }
+        }
         let distance = match method {
-            Method::Stereo => match (self.focal_length, self.baseline, self.disparity) {
+            Method::Stereo => match (self.focal_length, self.baseline, self.effective_disparity()) {
                 (Some(f), Some(b), Some(d)) => stereo::depth(f, b, d),
                 _ => return Outcome::Incomplete,
             },
@@ -236,11 +273,6 @@ impl Problem {
                 _ => return Outcome::Incomplete,
             },
         };
-        for field in method.fields() {
-            if let Some(Err(refusal)) = self.get(field).map(|value| field.check(value)) {
-                return Outcome::Refused { field, refusal };
-            }
-        }
         match finite_length(distance) {
             Some(distance) => Outcome::Distance(distance),
             None => Outcome::Refused {
@@ -293,8 +325,57 @@ impl Outcome {
     }
 }
 
+/// How sure one can be of a distance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Known {
+    /// The inputs with their σ.
+    pub model: Model,
+    /// σ of the distance to first order.
+    pub sigma: Length,
+    /// The 1 σ interval without linearisation.
+    pub interval: Interval,
+    /// Which input causes which part of the variance; adds to 1.
+    pub budget: Vec<Share>,
+    /// How much too far the average of many such distances comes out; `None` where that cannot be said.
+    pub bias: Option<Length>,
+}
+
+impl Known {
+    fn new(model: Model) -> Self {
+        Self {
+            sigma: Length::from_m(model.depth_with_sigma().sigma),
+            interval: model.interval(),
+            budget: model.variance_budget(),
+            bias: model.bias(),
+            model,
+        }
+    }
+
+    /// The input that causes the largest part of the variance.
+    pub fn main_cause(&self) -> Option<Share> {
+        self.budget.iter().copied().max_by(|a, b| a.share.total_cmp(&b.share))
+    }
+}
+
+/// What two distances with σ say together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Together {
+    /// Both combined, m; `None` where only the shared focal length has a σ, so that nothing weighs them.
+    pub combined: Option<Measured>,
+    /// Whether they agree, and what to look at if not.
+    pub agreement: agreement::Agreement,
+}
+
+fn split(known: Option<Result<Known, Field>>) -> (Option<Known>, Option<Field>) {
+    match known {
+        Some(Ok(known)) => (Some(known), None),
+        Some(Err(field)) => (None, Some(field)),
+        None => (None, None),
+    }
+}
+
 /// Everything computed from a [`Problem`]; made once when the inputs change.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     /// What it was computed from.
     pub problem: Problem,
@@ -306,6 +387,14 @@ pub struct Solution {
     pub estimated_width_px: Option<Pixels>,
     /// w_img·D/fx, with the stereo distance whenever there is one.
     pub estimated_width: Option<Length>,
+    /// How sure one can be of the stereo distance; `None` where no input has a σ.
+    pub stereo_known: Option<Known>,
+    /// How sure one can be of the monocular distance; `None` where no input has a σ.
+    pub monocular_known: Option<Known>,
+    /// What both say together; `None` unless both are known with σ.
+    pub together: Option<Together>,
+    /// An input whose σ is out of all proportion to its value, so that nothing can be said.
+    pub unusable_sigma: Option<Field>,
 }
 
 impl Solution {
@@ -314,6 +403,14 @@ impl Solution {
         match method {
             Method::Stereo => self.stereo,
             Method::Monocular => self.monocular,
+        }
+    }
+
+    /// How sure one can be of the distance of `method`.
+    pub const fn known(&self, method: Method) -> Option<&Known> {
+        match method {
+            Method::Stereo => self.stereo_known.as_ref(),
+            Method::Monocular => self.monocular_known.as_ref(),
         }
     }
 

@@ -5,33 +5,17 @@
 //! distance and keep its spread symmetric; x divides, and where its σ is not small the distance has a long far side. That
 //! is why [`Model::interval`] is the honest answer and [`Model::relative_sigma`] its small-σ limit.
 
+use super::field::Field;
 use super::measured::{Measured, root_sum_of_squares};
 use super::quantity::{Length, times_over};
-
-/// An input that a distance owes part of its uncertainty to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Source {
-    /// fx, px
-    FocalLength,
-    /// b, a length
-    Baseline,
-    /// d, px
-    Disparity,
-    /// δ = cx_right − cx_left, px
-    Doffs,
-    /// w_img, px
-    ImageWidth,
-    /// w_real, a length
-    RealWidth,
-}
 
 /// Why no [`Model`] can be made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unusable {
     /// The value must be finite, and positive (for a disparity: together with doffs).
-    Value(Source),
+    Value(Field),
     /// The standard deviation must be 0 or more, and less than [`LARGEST_RELATIVE_SIGMA`] times the value.
-    Sigma(Source),
+    Sigma(Field),
     /// Every input can be used, but the distance or its σ is too large or too small to be represented.
     Distance,
 }
@@ -50,9 +34,9 @@ pub const FIRST_ORDER_LIMIT: f64 = 0.10;
 pub struct Model {
     focal_length: Measured,
     length: Measured,
-    length_source: Source,
+    length_source: Field,
     pixels: Measured,
-    pixels_source: Source,
+    pixels_source: Field,
     doffs: Measured,
 }
 
@@ -60,7 +44,7 @@ pub struct Model {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Share {
     /// The input.
-    pub source: Source,
+    pub source: Field,
     /// Its part of the variance, 0 to 1.
     pub share: f64,
 }
@@ -84,9 +68,9 @@ impl Model {
         Self {
             focal_length,
             length: baseline,
-            length_source: Source::Baseline,
+            length_source: Field::Baseline,
             pixels: disparity,
-            pixels_source: Source::Disparity,
+            pixels_source: Field::Disparity,
             doffs,
         }
         .checked()
@@ -100,9 +84,9 @@ impl Model {
         Self {
             focal_length,
             length: real_width,
-            length_source: Source::RealWidth,
+            length_source: Field::RealWidth,
             pixels: image_width,
-            pixels_source: Source::ImageWidth,
+            pixels_source: Field::ImageWidth,
             doffs: Measured::exact(0.0),
         }
         .checked()
@@ -111,13 +95,13 @@ impl Model {
     fn checked(self) -> Result<Self, Unusable> {
         let divisor = self.divisor();
         if !self.focal_length.value.is_normal() || self.focal_length.value < 0.0 {
-            return Err(Unusable::Value(Source::FocalLength));
+            return Err(Unusable::Value(Field::FocalLength));
         }
         if !self.length.value.is_normal() || self.length.value < 0.0 {
             return Err(Unusable::Value(self.length_source));
         }
         if !self.doffs.value.is_finite() {
-            return Err(Unusable::Value(Source::Doffs));
+            return Err(Unusable::Value(Field::Doffs));
         }
         if !self.pixels.value.is_finite() || !divisor.value.is_normal() || divisor.value < 0.0 {
             return Err(Unusable::Value(self.pixels_source));
@@ -175,7 +159,7 @@ impl Model {
         }
         self.relative_sigmas()
             .into_iter()
-            .filter(|&(source, relative)| source != Source::Doffs || relative > 0.0)
+            .filter(|&(source, relative)| source != Field::Doffs || relative > 0.0)
             .map(|(source, relative)| Share {
                 source,
                 share: (relative / total) * (relative / total),
@@ -249,12 +233,12 @@ impl Model {
     }
 
     /// The baseline or the real width, in metres, and which of the two it is.
-    pub const fn length(&self) -> (Source, Measured) {
+    pub const fn length(&self) -> (Field, Measured) {
         (self.length_source, self.length)
     }
 
     /// The disparity or the width in the image, in px without doffs, and which of the two it is.
-    pub const fn pixels(&self) -> (Source, Measured) {
+    pub const fn pixels(&self) -> (Field, Measured) {
         (self.pixels_source, self.pixels)
     }
 
@@ -264,13 +248,13 @@ impl Model {
     }
 
     /// The relative σ that each input gives to the distance, in reading order.
-    pub(super) fn relative_sigmas(&self) -> [(Source, f64); 4] {
+    pub(super) fn relative_sigmas(&self) -> [(Field, f64); 4] {
         let of_divisor = |sigma| Measured::new(self.divisor().value, sigma).relative();
         [
-            (Source::FocalLength, self.focal_length.relative()),
+            (Field::FocalLength, self.focal_length.relative()),
             (self.length_source, self.length.relative()),
             (self.pixels_source, of_divisor(self.pixels.sigma)),
-            (Source::Doffs, of_divisor(self.doffs.sigma)),
+            (Field::Doffs, of_divisor(self.doffs.sigma)),
         ]
     }
 }

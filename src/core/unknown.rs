@@ -1,14 +1,14 @@
 //! Any one unknown of an equation, from all the others: the disparity to expect at a distance, the baseline that a pair
 //! must have had, the focal length from one photograph at a known distance.
 
+use super::field::Field;
 use super::measured::Measured;
-use super::uncertainty::Source;
 
 /// A term of the equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Term {
     /// One of the inputs of a distance.
-    Input(Source),
+    Input(Field),
     /// The distance itself, in metres.
     Distance,
 }
@@ -60,16 +60,16 @@ impl StereoEquation {
     ///
     /// Source: the Middlebury 2014 calibration format's Z = f·b/(d + doffs), rearranged; JCGM 100:2008 (GUM), 5.1.
     pub fn solve(&self) -> Result<(Term, Measured), Unsolvable> {
-        let focal_length = positive(self.focal_length, Term::Input(Source::FocalLength))?;
-        let baseline = positive(self.baseline, Term::Input(Source::Baseline))?;
-        let disparity = possible(self.disparity, Term::Input(Source::Disparity))?;
-        let doffs = possible(self.doffs, Term::Input(Source::Doffs))?;
+        let focal_length = positive(self.focal_length, Term::Input(Field::FocalLength))?;
+        let baseline = positive(self.baseline, Term::Input(Field::Baseline))?;
+        let disparity = possible(self.disparity, Term::Input(Field::Disparity))?;
+        let doffs = possible(self.doffs, Term::Input(Field::Doffs))?;
         let distance = positive(self.distance, Term::Distance)?;
         match (focal_length, baseline, disparity, doffs, distance) {
-            (None, Some(b), Some(d), Some(o), Some(z)) => solution(Source::FocalLength, Measured::times_over(z, divisor(d, o)?, b)),
-            (Some(f), None, Some(d), Some(o), Some(z)) => solution(Source::Baseline, Measured::times_over(z, divisor(d, o)?, f)),
-            (Some(f), Some(b), None, Some(o), Some(z)) => solution(Source::Disparity, difference(Measured::times_over(f, b, z), o)),
-            (Some(f), Some(b), Some(d), None, Some(z)) => solution(Source::Doffs, difference(Measured::times_over(f, b, z), d)),
+            (None, Some(b), Some(d), Some(o), Some(z)) => solution(Field::FocalLength, Measured::times_over(z, divisor(d, o)?, b)),
+            (Some(f), None, Some(d), Some(o), Some(z)) => solution(Field::Baseline, Measured::times_over(z, divisor(d, o)?, f)),
+            (Some(f), Some(b), None, Some(o), Some(z)) => solution(Field::Disparity, difference(Measured::times_over(f, b, z), o)),
+            (Some(f), Some(b), Some(d), None, Some(z)) => solution(Field::Doffs, difference(Measured::times_over(f, b, z), d)),
             (Some(f), Some(b), Some(d), Some(o), None) => distance_of(Measured::times_over(f, b, divisor(d, o)?)),
             _ => Err(Unsolvable::NotOneUnknown),
         }
@@ -84,14 +84,14 @@ impl MonocularEquation {
     ///
     /// Source: pinhole projection by similar triangles, rearranged; JCGM 100:2008 (GUM), 5.1.6.
     pub fn solve(&self) -> Result<(Term, Measured), Unsolvable> {
-        let focal_length = positive(self.focal_length, Term::Input(Source::FocalLength))?;
-        let real_width = positive(self.real_width, Term::Input(Source::RealWidth))?;
-        let image_width = positive(self.image_width, Term::Input(Source::ImageWidth))?;
+        let focal_length = positive(self.focal_length, Term::Input(Field::FocalLength))?;
+        let real_width = positive(self.real_width, Term::Input(Field::RealWidth))?;
+        let image_width = positive(self.image_width, Term::Input(Field::ImageWidth))?;
         let distance = positive(self.distance, Term::Distance)?;
         match (focal_length, real_width, image_width, distance) {
-            (None, Some(w), Some(p), Some(z)) => solution(Source::FocalLength, Measured::times_over(z, p, w)),
-            (Some(f), None, Some(p), Some(z)) => solution(Source::RealWidth, Measured::times_over(z, p, f)),
-            (Some(f), Some(w), None, Some(z)) => solution(Source::ImageWidth, Measured::times_over(f, w, z)),
+            (None, Some(w), Some(p), Some(z)) => solution(Field::FocalLength, Measured::times_over(z, p, w)),
+            (Some(f), None, Some(p), Some(z)) => solution(Field::RealWidth, Measured::times_over(z, p, f)),
+            (Some(f), Some(w), None, Some(z)) => solution(Field::ImageWidth, Measured::times_over(f, w, z)),
             (Some(f), Some(w), Some(p), None) => distance_of(Measured::times_over(f, w, p)),
             _ => Err(Unsolvable::NotOneUnknown),
         }
@@ -118,7 +118,7 @@ fn divisor(disparity: Measured, doffs: Measured) -> Result<Measured, Unsolvable>
     if sum.is_positive() {
         Ok(sum)
     } else {
-        Err(Unsolvable::Unusable(Term::Input(Source::Disparity)))
+        Err(Unsolvable::Unusable(Term::Input(Field::Disparity)))
     }
 }
 
@@ -126,7 +126,7 @@ fn difference(whole: Option<Measured>, part: Measured) -> Option<Measured> {
     whole.map(|whole| whole.plus(Measured::new(-part.value, part.sigma)))
 }
 
-fn solution(source: Source, value: Option<Measured>) -> Result<(Term, Measured), Unsolvable> {
+fn solution(source: Field, value: Option<Measured>) -> Result<(Term, Measured), Unsolvable> {
     found(Term::Input(source), value)
 }
 

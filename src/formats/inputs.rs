@@ -2,9 +2,13 @@
 //! needs one.
 
 use super::number::{self, NumberError, Unit, plain, quoted};
-use crate::core::problem::{Field, Method, Outcome, Problem, Refusal, Solution, better_unit};
-use crate::core::quantity::{Length, LengthUnit};
+use crate::core::agreement::Suspect;
+use crate::core::measured::Measured;
+use crate::core::problem::{Field, Method, Outcome, Problem, Refusal, Sigmas, Solution, better_unit};
+use crate::core::quantity::{Length, LengthUnit, Pixels};
+use crate::core::unknown::{MonocularEquation, StereoEquation};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// One field as typed.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -35,8 +39,19 @@ pub struct Inputs {
     focal_length: Entry,
     baseline: Entry,
     disparity: Entry,
+    doffs: Entry,
     image_width: Entry,
     real_width: Entry,
+    /// σ of each field, as typed.
+    sigmas: BTreeMap<Field, String>,
+    /// Whether the σ are asked for. Switched off, what was typed stays but does not count.
+    pub with_uncertainty: bool,
+    /// What is solved for, where it is not the distance.
+    pub unknown: Option<(Method, Field)>,
+    /// D, where something else is solved for.
+    pub distance: Entry,
+    /// σ of D as typed.
+    pub distance_sigma: String,
 }
 
 impl Default for Inputs {
@@ -47,8 +62,14 @@ impl Default for Inputs {
             focal_length: blank(Field::FocalLength),
             baseline: blank(Field::Baseline),
             disparity: blank(Field::Disparity),
+            doffs: blank(Field::Doffs),
             image_width: blank(Field::ImageWidth),
             real_width: blank(Field::RealWidth),
+            sigmas: BTreeMap::new(),
+            with_uncertainty: false,
+            unknown: None,
+            distance: Entry::new("", Some(LengthUnit::Metre)),
+            distance_sigma: String::new(),
         }
     }
 }
@@ -58,7 +79,7 @@ pub const fn default_unit(field: Field) -> Option<LengthUnit> {
     match field {
         Field::Baseline => Some(LengthUnit::Millimetre),
         Field::RealWidth => Some(LengthUnit::Metre),
-        Field::FocalLength | Field::Disparity | Field::ImageWidth => None,
+        Field::FocalLength | Field::Disparity | Field::Doffs | Field::ImageWidth => None,
     }
 }
 
@@ -109,6 +130,7 @@ impl Inputs {
             Field::FocalLength => &self.focal_length,
             Field::Baseline => &self.baseline,
             Field::Disparity => &self.disparity,
+            Field::Doffs => &self.doffs,
             Field::ImageWidth => &self.image_width,
             Field::RealWidth => &self.real_width,
         }
@@ -120,14 +142,36 @@ impl Inputs {
             Field::FocalLength => &mut self.focal_length,
             Field::Baseline => &mut self.baseline,
             Field::Disparity => &mut self.disparity,
+            Field::Doffs => &mut self.doffs,
             Field::ImageWidth => &mut self.image_width,
             Field::RealWidth => &mut self.real_width,
         }
     }
 
+    /// σ of `field` as typed: a number, with a unit, or in % of the value.
+    pub fn sigma(&self, field: Field) -> &str {
+        self.sigmas.get(&field).map_or("", String::as_str)
+    }
+
+    /// Sets σ of `field` as typed. A blank one is none.
+    pub fn set_sigma(&mut self, field: Field, text: impl Into<String>) {
+        let text = text.into();
+        if text.is_empty() {
+            self.sigmas.remove(&field);
+        } else {
+            self.sigmas.insert(field, text);
+        }
+    }
+
+    /// Whether the field for doffs is shown: once there is one, or a σ of one, or it is solved for.
+    pub fn shows_doffs(&self) -> bool {
+        let solved_for = self.unknown.is_some_and(|(_, field)| field == Field::Doffs);
+        !self.entry(Field::Doffs).is_blank() || !self.sigma(Field::Doffs).is_empty() || solved_for
+    }
+
     /// Whether nothing was typed anywhere.
     pub fn is_blank(&self) -> bool {
-        Field::ALL.iter().all(|&field| self.entry(field).is_blank())
+        Field::ALL.iter().all(|&field| self.entry(field).is_blank()) && self.sigmas.values().all(|text| text.trim().is_empty())
     }
 
     /// The unit that holds for a length `field`: the one typed behind the number, else the one chosen beside it.
@@ -188,8 +232,9 @@ impl Inputs {
     pub fn assess(&self) -> Assessment {
         let mut problem = Problem::default();
         let mut notes = Vec::new();
+        let free = self.unknown.map(|(_, field)| field);
         for field in Field::ALL {
-            if self.entry(field).is_blank() {
+            if self.entry(field).is_blank() || free == Some(field) {
                 continue;
             }
             match self.read(field) {
@@ -197,24 +242,162 @@ impl Inputs {
                 Err(note) => notes.push(note),
             }
         }
-        let solution = problem.solve();
-        for method in Method::ALL {
-            if let Outcome::Refused { field, refusal } = solution.outcome(method)
-                && !notes.iter().any(|note| note.field == field)
-            {
-                notes.push(self.refused(field, refusal));
-            }
-        }
         for field in Field::ALL {
-            if let Some(value) = problem.get(field)
-                && !field.is_usual(value)
-                && !notes.iter().any(|note| note.field == field)
-            {
+            if let Err(refusal) = problem.check(field) {
+                notes.push(self.refused(field, refusal));
+                problem.set(field, None);
+            } else if !problem.is_usual(field) {
                 notes.push(self.unusual(field));
             }
+            if self.with_uncertainty && free != Some(field) {
+                match self.read_sigma(field, problem.get(field)) {
+                    Ok(sigma) => problem.sigmas.set(field, sigma),
+                    Err(note) => notes.push(note),
+                }
+            }
         }
-        notes.sort_by_key(|note| note.field);
-        Assessment { solution, notes }
+        let unknown = self.unknown.map(|(method, field)| self.solve_for(method, field, &problem));
+        if let Some(Unknown {
+            field, outcome: Ok(found), ..
+        }) = &unknown
+        {
+            problem.set(*field, Some(found.value));
+            // The uncertainty asked for is that of the unknown; what it would give back to the distance is only an echo.
+            problem.sigmas = Sigmas::default();
+        }
+        let mut solution = problem.solve();
+        if let Some(together) = &mut solution.together {
+            // Of all slips of the unit that would explain a disagreement, only one from the unit in use can have happened.
+            together.agreement.suspects.retain(|suspect| match suspect {
+                Suspect::Unit { source, taken, .. } => self.unit(*source) == Some(*taken),
+                _ => true,
+            });
+        }
+        for method in Method::ALL {
+            if let Outcome::Refused { field, refusal } = solution.outcome(method) {
+                notes.retain(|note| (note.field, note.part, note.severity) != (field, Part::Value, Severity::Warning));
+                if !notes.iter().any(|note| (note.field, note.part) == (field, Part::Value)) {
+                    notes.push(self.refused(field, refusal));
+                }
+            }
+        }
+        if let Some(field) = solution.unusable_sigma {
+            notes.push(Note::of_sigma(
+                field,
+                "This uncertainty is out of all proportion to the value, so nothing can be said. Type a smaller one.".to_owned(),
+            ));
+        }
+        notes.sort_by_key(|note| (note.field, note.part));
+        Assessment { solution, notes, unknown }
+    }
+
+    /// Solves the equation of `method` for `field`, with the distance as an input.
+    fn solve_for(&self, method: Method, field: Field, problem: &Problem) -> Unknown {
+        let given = |wanted: Field| if wanted == field { None } else { problem.measured(wanted) };
+        let lacking = || {
+            let fields = method.fields();
+            let lacking = fields.iter().find(|&&other| other != field && problem.get(other).is_none())?;
+            Some(format!("{} is missing.", capital(lacking.noun())))
+        };
+        let outcome = lacking().map_or_else(|| self.read_distance(), Err).and_then(|distance| {
+            let solved = match method {
+                Method::Stereo => StereoEquation {
+                    focal_length: given(Field::FocalLength),
+                    baseline: given(Field::Baseline),
+                    disparity: given(Field::Disparity),
+                    doffs: if field == Field::Doffs {
+                        None
+                    } else {
+                        let doffs = problem.doffs.map_or(0.0, Pixels::px);
+                        Some(Measured::new(doffs, problem.sigmas.get(Field::Doffs).unwrap_or(0.0)))
+                    },
+                    distance: Some(distance),
+                }
+                .solve(),
+                Method::Monocular => MonocularEquation {
+                    focal_length: given(Field::FocalLength),
+                    real_width: given(Field::RealWidth),
+                    image_width: given(Field::ImageWidth),
+                    distance: Some(distance),
+                }
+                .solve(),
+            };
+            match solved {
+                Ok((_, found)) => Ok(found),
+                Err(_) => Err("With these numbers there is no answer that a computer can represent.".to_owned()),
+            }
+        });
+        Unknown { method, field, outcome }
+    }
+
+    /// D with its σ, m, or a sentence that says what is wrong with it.
+    fn read_distance(&self) -> Result<Measured, String> {
+        const EXAMPLE: &str = "Type a distance above zero, such as 1.4 m.";
+        if self.distance.is_blank() {
+            return Err(format!("The distance (D) is missing. {EXAMPLE}"));
+        }
+        let in_unit = |text: &str| -> Result<(f64, f64), String> {
+            let typed = number::read(text).map_err(|_| format!("{} is not a distance. {EXAMPLE}", quoted(text)))?;
+            let unit = match typed.unit {
+                Some(Unit::Length(unit)) => unit,
+                Some(Unit::Pixel) => return Err(format!("A distance is not a number of pixels. {EXAMPLE}")),
+                None => self.distance.unit.unwrap_or(LengthUnit::Metre),
+            };
+            Ok((typed.number, Length::new(typed.number, unit).m()))
+        };
+        let (_, value) = in_unit(&self.distance.text)?;
+        if !value.is_normal() || value < 0.0 {
+            return Err(format!("{} is not a distance. {EXAMPLE}", quoted(&self.distance.text)));
+        }
+        let text = self.distance_sigma.trim().trim_start_matches('±').trim();
+        let sigma = match text.strip_suffix('%') {
+            _ if text.is_empty() || !self.with_uncertainty => 0.0,
+            Some(percent) => in_unit(percent)?.0 / 100.0 * value,
+            None => in_unit(text)?.1,
+        };
+        if !sigma.is_finite() || sigma < 0.0 {
+            return Err(format!("{} is not an uncertainty.", quoted(text)));
+        }
+        Ok(Measured::new(value, sigma))
+    }
+
+    /// σ of `field` in px or metres, or the note that says why it cannot be used. A σ in % needs the value.
+    fn read_sigma(&self, field: Field, value: Option<f64>) -> Result<Option<f64>, Note> {
+        let text = self.sigma(field).trim().trim_start_matches('±').trim();
+        if text.is_empty() {
+            return Ok(None);
+        }
+        let example = if field.is_length() { "0.5 mm or 1 %" } else { "0.5 or 1 %" };
+        let wrong = |what: &str| {
+            Note::of_sigma(
+                field,
+                format!("{} {what} Type one standard deviation, such as {example}.", quoted(text)),
+            )
+        };
+        let (number_text, percent) = text.strip_suffix('%').map_or((text, false), |number| (number, true));
+        let typed = number::read(number_text).map_err(|error| match error {
+            NumberError::Ambiguous { .. } => wrong("could mean more than one number."),
+            NumberError::UnknownUnit(_) => wrong("has a unit that is not known here."),
+            NumberError::NotANumber | NumberError::TooExtreme => wrong("is not an uncertainty."),
+        })?;
+        if typed.number < 0.0 {
+            return Err(wrong("is negative, which an uncertainty cannot be."));
+        }
+        let sigma = match (typed.unit, self.unit(field)) {
+            (None, _) if percent => match value {
+                Some(value) => typed.number / 100.0 * value.abs(),
+                None => return Ok(None),
+            },
+            (Some(_), _) if percent => return Err(wrong("has a unit and a percent sign.")),
+            (Some(Unit::Length(unit)), Some(_)) | (None, Some(unit)) => Length::new(typed.number, unit).m(),
+            (Some(Unit::Pixel) | None, None) => typed.number,
+            (Some(_), _) => return Err(wrong("has the wrong kind of unit.")),
+        };
+        if sigma.is_finite() {
+            Ok(Some(sigma))
+        } else {
+            Err(wrong("is too large."))
+        }
     }
 
     /// What is still missing of each method that was touched (or, if none was, of both), field by field with a sentence.
@@ -232,7 +415,7 @@ impl Inputs {
                         *field,
                         format!(
                             "{} is missing for the {} distance. {}",
-                            capital(noun(*field)),
+                            capital(field.noun()),
                             method.name().to_lowercase(),
                             type_something(*field)
                         ),
@@ -269,7 +452,7 @@ impl Inputs {
                     format!(
                         "{} is a length, but {} is counted in pixels. {}",
                         quoted(&entry.text),
-                        noun(field),
+                        field.noun(),
                         pixels_hint(field, unit)
                     ),
                 ));
@@ -279,7 +462,7 @@ impl Inputs {
                     field,
                     format!(
                         "{} is a length, not a number of pixels. Use mm, cm, m, in or ft.",
-                        capital(noun(field))
+                        capital(field.noun())
                     ),
                 ));
             }
@@ -293,7 +476,6 @@ impl Inputs {
             }
             (_, None) => typed.number,
         };
-        field.check(value).map_err(|refusal| self.refused(field, refusal))?;
         Ok(value)
     }
 
@@ -337,6 +519,10 @@ impl Inputs {
         let entry = self.entry(field);
         match refusal {
             Refusal::NotANumber => Note::error(field, format!("{} is not a number. {}", quoted(&entry.text), type_something(field))),
+            Refusal::Zero | Refusal::Negative if field == Field::Disparity && !self.entry(Field::Doffs).is_blank() => Note::error(
+                field,
+                "Disparity and doffs together must be above zero: at zero the object is infinitely far away, below zero left and right may be swapped. Check the sign of doffs.".to_owned(),
+            ),
             Refusal::Zero if field == Field::Disparity => Note::error(
                 field,
                 "A disparity of zero means that the object is infinitely far away. Type a disparity above 0 px.".to_owned(),
@@ -354,10 +540,10 @@ impl Inputs {
                     )
                 }
             }
-            Refusal::Zero => Note::error(field, format!("{} cannot be zero. {}", capital(noun(field)), type_something(field))),
+            Refusal::Zero => Note::error(field, format!("{} cannot be zero. {}", capital(field.noun()), type_something(field))),
             Refusal::Negative => Note::error(
                 field,
-                format!("{} cannot be negative. {}", capital(noun(field)), type_something(field)),
+                format!("{} cannot be negative. {}", capital(field.noun()), type_something(field)),
             ),
             Refusal::TooExtreme => Note::error(
                 field,
@@ -378,7 +564,7 @@ impl Inputs {
                 field,
                 format!(
                     "Unusual for {}: most lie between {}. Is it right?",
-                    noun(field),
+                    field.noun(),
                     usual_range_text(field)
                 ),
             )
@@ -390,7 +576,7 @@ impl Inputs {
                 "{} {} is unusual for {}: most lie between {}. Did you mean {} {}?",
                 typed.number_text,
                 unit.symbol(),
-                noun(field),
+                field.noun(),
                 usual_range_text(field),
                 typed.number_text,
                 better.symbol()
@@ -413,11 +599,22 @@ pub enum Severity {
     Error,
 }
 
+/// What of a field a note is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Part {
+    /// The value.
+    Value,
+    /// Its uncertainty.
+    Sigma,
+}
+
 /// Something to say at a field.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {
     /// Where.
     pub field: Field,
+    /// At the value or at its σ.
+    pub part: Part,
     /// How bad.
     pub severity: Severity,
     /// What is wrong and what to type.
@@ -430,9 +627,17 @@ impl Note {
     const fn error(field: Field, message: String) -> Self {
         Self {
             field,
+            part: Part::Value,
             severity: Severity::Error,
             message,
             fixes: Vec::new(),
+        }
+    }
+
+    fn of_sigma(field: Field, message: String) -> Self {
+        Self {
+            part: Part::Sigma,
+            ..Self::error(field, message)
         }
     }
 }
@@ -451,14 +656,32 @@ pub struct Fix {
 pub struct Assessment {
     /// Everything that could be computed.
     pub solution: Solution,
-    /// What to say at the fields, in reading order, at most one a field.
+    /// What to say at the fields, in reading order, at most one for each value and one for each σ.
     pub notes: Vec<Note>,
+    /// What was solved for, where it was not the distance.
+    pub unknown: Option<Unknown>,
+}
+
+/// A quantity that was solved for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unknown {
+    /// The equation.
+    pub method: Method,
+    /// The quantity.
+    pub field: Field,
+    /// Its value with σ in px or metres, or a sentence that says what is lacking.
+    pub outcome: Result<Measured, String>,
 }
 
 impl Assessment {
-    /// The note at `field`.
+    /// The note at the value of `field`.
     pub fn note(&self, field: Field) -> Option<&Note> {
-        self.notes.iter().find(|note| note.field == field)
+        self.notes.iter().find(|note| (note.field, note.part) == (field, Part::Value))
+    }
+
+    /// The note at the σ of `field`.
+    pub fn sigma_note(&self, field: Field) -> Option<&Note> {
+        self.notes.iter().find(|note| (note.field, note.part) == (field, Part::Sigma))
     }
 }
 
@@ -468,6 +691,7 @@ pub const fn example_text(field: Field) -> &'static str {
         Field::FocalLength => "700",
         Field::Baseline => "100",
         Field::Disparity => "50",
+        Field::Doffs => "0",
         Field::ImageWidth => "150",
         Field::RealWidth => "0.30",
     }
@@ -479,22 +703,13 @@ pub const fn hint(field: Field) -> &'static str {
         Field::FocalLength => "Focal length of the camera in pixels.",
         Field::Baseline => "Distance between the two cameras.",
         Field::Disparity => "Horizontal shift of the object between the left and right image.",
+        Field::Doffs => "cx of the right camera minus cx of the left one; added to the disparity.",
         Field::ImageWidth => "Width of the object in the image.",
         Field::RealWidth => "Actual physical width of the object.",
     }
 }
 
-const fn noun(field: Field) -> &'static str {
-    match field {
-        Field::FocalLength => "the focal length",
-        Field::Baseline => "the baseline",
-        Field::Disparity => "the disparity",
-        Field::ImageWidth => "the width in the image",
-        Field::RealWidth => "the real width",
-    }
-}
-
-fn capital(text: &str) -> String {
+pub(crate) fn capital(text: &str) -> String {
     let mut chars = text.chars();
     chars
         .next()
@@ -502,6 +717,9 @@ fn capital(text: &str) -> String {
 }
 
 fn type_something(field: Field) -> String {
+    if field == Field::Doffs {
+        return "Type a number of pixels, such as 0 or 131.1.".to_owned();
+    }
     let unit = default_unit(field).map_or("px", LengthUnit::symbol);
     format!("Type a number above zero, such as {} {unit}.", example_text(field))
 }
@@ -518,6 +736,7 @@ fn usual_range_text(field: Field) -> &'static str {
         Field::FocalLength => "50 and 20 000 px",
         Field::Baseline => "5 mm and 5 m",
         Field::Disparity => "0.5 and 1000 px",
+        Field::Doffs => "−1000 and 1000 px",
         Field::ImageWidth => "5 and 5000 px",
         Field::RealWidth => "5 mm and 50 m",
     }

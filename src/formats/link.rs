@@ -10,6 +10,7 @@ const fn key(field: Field) -> &'static str {
         Field::FocalLength => "fx",
         Field::Baseline => "b",
         Field::Disparity => "d",
+        Field::Doffs => "doffs",
         Field::ImageWidth => "wimg",
         Field::RealWidth => "wreal",
     }

@@ -3,4 +3,5 @@
 pub mod inputs;
 pub mod link;
 pub mod number;
+pub mod q_matrix;
 pub mod report;

@@ -221,6 +221,27 @@ pub fn exact(value: f64) -> String {
     }
 }
 
+/// `value` to `decimals` places; negative ones round to tens, hundreds and so on. In scientific notation, to the same place,
+/// outside 0.001 to 99 999. Not finite: [`NO_NUMBER`].
+pub fn to_decimals(value: f64, decimals: i32) -> String {
+    if !value.is_finite() {
+        return NO_NUMBER.to_owned();
+    }
+    let places = usize::try_from(decimals + magnitude(value)).unwrap_or(0).min(17);
+    if value != 0.0 && !READABLE.contains(&value.abs()) {
+        return format!("{value:.places$e}");
+    }
+    if decimals < 0 {
+        return significant(value, places + 1);
+    }
+    format!("{value:.*}", usize::try_from(decimals).unwrap_or(0).min(17))
+}
+
+/// The power of ten of the first digit that `value` has with two significant digits: 0.0158 has −2, 0.0999 has −1.
+pub fn magnitude(value: f64) -> i32 {
+    exponent_of(&format!("{value:.1e}")).unwrap_or(0)
+}
+
 fn exponent_of(scientific: &str) -> Option<i32> {
     scientific.split_once('e')?.1.parse().ok()
 }

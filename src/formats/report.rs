@@ -1,9 +1,10 @@
 //! The results in words: the table of parameters, the formulas with their numbers, and the text that *Copy Results* puts on
 //! the clipboard.
 
-use super::inputs::{Assessment, Inputs};
-use super::number::{NO_NUMBER, exact, plain, significant};
-use crate::core::problem::{Field, Method, Solution};
+use super::inputs::{Assessment, Inputs, Unknown, capital};
+use super::number::{self, NO_NUMBER, exact, plain, significant};
+use crate::core::agreement::{Agreement, Suspect, Verdict};
+use crate::core::problem::{Field, Known, Method, Solution};
 use crate::core::quantity::{Length, LengthUnit};
 
 /// Significant digits of a result on the screen.
@@ -29,6 +30,14 @@ pub fn one_pixel_around(solution: &Solution, unit: LengthUnit) -> Option<String>
     })
 }
 
+/// The formula of `method` with its symbols, with doffs where there is one.
+pub fn formula(solution: &Solution, method: Method) -> &'static str {
+    match (method, solution.problem.doffs) {
+        (Method::Stereo, Some(_)) => "D = fx · b / (d + doffs)",
+        _ => method.formula(),
+    }
+}
+
 /// The formula of `method` with the current numbers and its result in metres, or `None` while an input is missing:
 /// "D = 700 px · 0.1 m / 50 px = 1.400 m".
 pub fn formula_with_numbers(solution: &Solution, method: Method) -> Option<String> {
@@ -41,11 +50,14 @@ pub fn formula_with_numbers(solution: &Solution, method: Method) -> Option<Strin
         Method::Stereo => (Field::FocalLength, Field::Baseline, Field::Disparity),
         Method::Monocular => (Field::RealWidth, Field::FocalLength, Field::ImageWidth),
     };
+    let divisor = match (method, value(Field::Doffs)) {
+        (Method::Stereo, Some(doffs)) => format!("({} + {doffs})", value(divisor)?),
+        _ => value(divisor)?,
+    };
     Some(format!(
-        "D = {} · {} / {} = {}",
+        "D = {} · {} / {divisor} = {}",
         value(first)?,
         value(second)?,
-        value(divisor)?,
         length(Some(distance), LengthUnit::Metre)
     ))
 }
@@ -145,21 +157,45 @@ pub fn report(inputs: &Inputs, assessment: &Assessment, unit: LengthUnit) -> Str
     let mut lines = vec!["Depth Calculator".to_owned(), String::new(), "Inputs".to_owned()];
     for field in Field::ALL {
         let entry = inputs.entry(field);
-        let value = match solution.problem.get(field) {
+        if field == Field::Doffs && entry.is_blank() {
+            continue;
+        }
+        let mut value = match solution.problem.get(field) {
             Some(_) => {
-                let number = super::number::read(&entry.text).map_or(entry.text.trim(), |typed| typed.number_text);
+                let number = number::read(&entry.text).map_or(entry.text.trim(), |typed| typed.number_text);
                 format!("{number} {}", inputs.unit(field).map_or("px", LengthUnit::symbol))
             }
             None if entry.is_blank() => "not given".to_owned(),
-            None => format!("{} (not usable)", super::number::quoted(&entry.text)),
+            None => format!("{} (not usable)", number::quoted(&entry.text)),
         };
+        let sigma = inputs.sigma(field).trim();
+        if inputs.with_uncertainty && !sigma.is_empty() {
+            value.push_str(&format!(" ± {}", sigma.trim_start_matches('±').trim()));
+        }
         lines.push(format!("  {}: {value}", field.name()));
     }
     lines.push(String::new());
     lines.push("Results".to_owned());
+    lines.extend(results(assessment, unit).into_iter().map(|line| format!("  {line}")));
+    for note in &assessment.notes {
+        lines.push(format!("  Note on {}: {}", note.field.name(), note.message));
+    }
+    lines.push(String::new());
+    lines.join("\n")
+}
+
+/// The results, a line each: rounded in `unit`, and with every digit.
+pub fn results(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
+    let solution = &assessment.solution;
+    let mut lines = Vec::new();
     for method in Method::ALL {
         let distance = solution.outcome(method).distance();
-        let mut line = format!("  {} distance, {}: {}", method.name(), method.formula(), length(distance, unit));
+        let known = solution.known(method);
+        let value = match (distance, known) {
+            (Some(distance), Some(known)) => with_sigma(distance, known.sigma, unit).text(unit),
+            _ => length(distance, unit),
+        };
+        let mut line = format!("{} distance, {}: {value}", method.name(), formula(solution, method));
         if let Some(distance) = distance {
             line.push_str(&format!(" (unrounded {} {})", exact(distance.in_unit(unit)), unit.symbol()));
         }
@@ -167,31 +203,191 @@ pub fn report(inputs: &Inputs, assessment: &Assessment, unit: LengthUnit) -> Str
         if method == Method::Stereo
             && let Some(range) = one_pixel_around(solution, unit)
         {
-            lines.push(format!("    with one pixel of disparity more or less: {range}"));
+            lines.push(format!("  with one pixel of disparity more or less: {range}"));
         }
+        if let Some(known) = known {
+            lines.push(format!("  1 σ interval: {}", interval(known, unit)));
+            lines.push(format!("  variance: {}", budget(known)));
+            if !known.model.first_order_is_good() {
+                lines.push(format!("  {FIRST_ORDER_IS_POOR}"));
+            }
+        }
+    }
+    if let Some(together) = &solution.together {
+        if let Some(combined) = together.combined {
+            let value = with_sigma(Length::from_m(combined.value), Length::from_m(combined.sigma), unit).text(unit);
+            lines.push(format!("Combined distance, the shared focal length accounted for: {value}"));
+        }
+        lines.push(format!("  {}", agreement_sentence(&together.agreement)));
+        lines.extend(
+            together
+                .agreement
+                .suspects
+                .iter()
+                .map(|suspect| format!("  {}", suspect_sentence(suspect))),
+        );
     }
     if let Some(width) = solution.estimated_width_px {
         lines.push(format!(
-            "  {ESTIMATED_WIDTH_PX}: {} px (unrounded {} px)",
+            "{ESTIMATED_WIDTH_PX}: {} px (unrounded {} px)",
             significant(width.px(), DIGITS),
             exact(width.px())
         ));
     }
     if let Some(width) = solution.estimated_width {
         lines.push(format!(
-            "  {ESTIMATED_WIDTH_M}: {} (unrounded {} m)",
+            "{ESTIMATED_WIDTH_M}: {} (unrounded {} m)",
             length(Some(width), LengthUnit::Metre),
             exact(width.m())
         ));
     }
     if solution.estimated_width.is_some() || solution.estimated_width_px.is_some() {
-        lines.push(format!("    {}", width_check(solution)));
+        lines.push(format!("  {}", width_check(solution)));
     }
-    for note in &assessment.notes {
-        lines.push(format!("  Note on {}: {}", note.field.name(), note.message));
+    lines
+}
+
+/// A value and its σ, written to the same decimal.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WithSigma {
+    /// The value.
+    pub value: String,
+    /// Its σ with two significant digits.
+    pub sigma: String,
+}
+
+impl WithSigma {
+    /// "1.400 ± 0.016 m".
+    pub fn text(&self, unit: LengthUnit) -> String {
+        format!("{} ± {} {}", self.value, self.sigma, unit.symbol())
     }
-    lines.push(String::new());
-    lines.join("\n")
+}
+
+/// `length` and its `sigma` in `unit`: σ with two significant digits, the value with as many decimals.
+pub fn with_sigma(length: Length, sigma: Length, unit: LengthUnit) -> WithSigma {
+    let (value, sigma) = (length.in_unit(unit), sigma.in_unit(unit));
+    let decimals = decimals_beside(value, sigma);
+    WithSigma {
+        value: number::to_decimals(value, decimals),
+        sigma: significant(sigma, 2),
+    }
+}
+
+/// The 1 σ interval, to the decimals of σ: "1.384 … 1.416 m".
+pub fn interval(known: &Known, unit: LengthUnit) -> String {
+    let decimals = decimals_beside(known.model.depth().in_unit(unit), known.sigma.in_unit(unit));
+    let end = |length: Length| number::to_decimals(length.in_unit(unit), decimals);
+    let near = end(known.interval.near);
+    match known.interval.far {
+        Some(far) => format!("{near} … {} {}", end(far), unit.symbol()),
+        None => format!("{near} {} … no upper bound", unit.symbol()),
+    }
+}
+
+/// The decimals that show two digits of `sigma`, and at least two of `value`.
+fn decimals_beside(value: f64, sigma: f64) -> i32 {
+    (1 - number::magnitude(sigma)).max(1 - number::magnitude(value))
+}
+
+/// Where the variance comes from: "disparity 75 %, baseline 19 %, focal length 6 %", the largest first.
+pub fn budget(known: &Known) -> String {
+    let mut shares = known.budget.clone();
+    shares.sort_by(|a, b| b.share.total_cmp(&a.share));
+    shares
+        .iter()
+        .filter(|share| share.share > 0.0)
+        .map(|share| format!("{} {}", short_name(share.source), percent(share.share)))
+        .collect::<Vec<_>>()
+        .join(", ")
+}
+
+/// The input behind most of the variance: "mostly from disparity (75 %)".
+pub fn main_cause(known: &Known) -> Option<String> {
+    let share = known.main_cause()?;
+    let how = if share.share >= 0.5 { "mostly" } else { "most of it" };
+    Some(format!("{how} from {} ({})", short_name(share.source), percent(share.share)))
+}
+
+/// A field in the middle of a sentence about causes: "disparity".
+pub fn short_name(field: Field) -> &'static str {
+    field.noun().trim_start_matches("the ")
+}
+
+/// A share of a whole, "75 %".
+pub fn percent(share: f64) -> String {
+    let percent = share * 100.0;
+    if percent > 0.0 && percent < 0.5 {
+        "under 1 %".to_owned()
+    } else {
+        format!("{percent:.0} %")
+    }
+}
+
+/// What is said where σ alone would mislead.
+pub const FIRST_ORDER_IS_POOR: &str =
+    "The pixels are known to worse than 10 %: ± σ is a poor description here, the interval and the simulation are right.";
+
+/// What was solved for with its uncertainty, in `unit` (`None`: pixels), or what is lacking: "100.0 ± 1.2 mm".
+pub fn unknown(unknown: &Unknown, unit: Option<LengthUnit>) -> String {
+    let found = match &unknown.outcome {
+        Ok(found) => found,
+        Err(reason) => return reason.clone(),
+    };
+    let in_unit = |base: f64| unit.map_or(base, |unit| Length::from_m(base).in_unit(unit));
+    let symbol = unit.map_or("px", LengthUnit::symbol);
+    let (value, sigma) = (in_unit(found.value), in_unit(found.sigma));
+    if sigma == 0.0 {
+        return format!("{} {symbol}", significant(value, DIGITS));
+    }
+    let decimals = decimals_beside(value, sigma);
+    format!("{} ± {} {symbol}", number::to_decimals(value, decimals), significant(sigma, 2))
+}
+
+/// Whether both distances agree, in a sentence.
+pub fn agreement_sentence(agreement: &Agreement) -> String {
+    let z = agreement
+        .z
+        .map_or_else(String::new, |z| format!(" ({} σ apart)", significant(z, 2)));
+    match agreement.verdict {
+        Some(Verdict::Agree) => format!("Stereo and monocular agree within their uncertainties{z}."),
+        Some(Verdict::Doubtful) => format!("Stereo and monocular hardly agree{z}: one case in twenty, if the uncertainties are right."),
+        Some(Verdict::Disagree) => format!("Stereo and monocular disagree{z}: an input or its uncertainty is wrong."),
+        None => match agreement.ratio {
+            Some(ratio) => format!(
+                "Only the shared focal length has an uncertainty, so agreement cannot be judged; stereo is {} times monocular.",
+                significant(ratio, DIGITS)
+            ),
+            None => "Only the shared focal length has an uncertainty, so agreement cannot be judged.".to_owned(),
+        },
+    }
+}
+
+/// What a suspect is suspected of, in a sentence.
+pub fn suspect_sentence(suspect: &Suspect) -> String {
+    match *suspect {
+        Suspect::RawDisparity { scale } => format!(
+            "Was the disparity divided by {}? {}",
+            plain(scale),
+            if scale == 16.0 {
+                "StereoBM and StereoSGBM store sixteenths of a pixel."
+            } else {
+                "Some files store fixed-point numbers."
+            }
+        ),
+        Suspect::Unit { source, taken, meant } => format!(
+            "Is {} really in {}? In {} the two would agree.",
+            source.noun(),
+            taken.name(),
+            meant.name()
+        ),
+        Suspect::Resized { source, times } => format!(
+            "Was {} counted in an image of another size ({} times) than the focal length belongs to?",
+            source.noun(),
+            plain(times)
+        ),
+        Suspect::NoSigma(field) => format!("{} is taken to be exact. How well is it known?", capital(field.noun())),
+        Suspect::LargestSigma(field) => format!("{} has the largest uncertainty: measure it again.", capital(field.noun())),
+    }
 }
 
 #[cfg(test)]

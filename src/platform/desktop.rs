@@ -6,8 +6,11 @@ use std::process::ExitCode;
 
 const NAME: &str = "Depth Calculator";
 
-/// Opens the window and runs until it is closed.
+/// With arguments answers on the terminal; without any opens the window and runs until it is closed.
 pub fn main() -> ExitCode {
+    if std::env::args_os().len() > 1 {
+        return crate::cli::main();
+    }
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
             .with_title(NAME)

@@ -3,10 +3,10 @@
 use crate::app::theme;
 use crate::app::widgets::picture;
 use crate::core::problem::{Method, Solution};
-use crate::core::quantity::LengthUnit;
+use crate::core::quantity::{Length, LengthUnit};
 use crate::formats::{number, report};
 use egui::{Align2, RichText, Ui};
-use egui_plot::{Bar, BarChart, GridMark, Plot, PlotPoint, Text};
+use egui_plot::{Bar, BarChart, GridMark, Line, Plot, PlotPoint, PlotPoints, Text};
 
 pub const TITLE: &str = "Stereo against monocular";
 
@@ -79,11 +79,32 @@ pub fn show(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
                 };
                 let bar = Bar::new(x, value / top).width(0.56).fill(color).stroke(egui::Stroke::NONE);
                 plot.bar_chart(BarChart::new(method.name(), vec![bar]).allow_hover(false));
-                let label = format!("{} {}", number::significant(value, report::DIGITS), unit.symbol());
+                let known = solution.known(method);
+                if let Some(known) = known {
+                    let end = |length: Length| (length.in_unit(unit) / top).min(2.0);
+                    let (near, far) = (end(known.interval.near), known.interval.far.map_or(2.0, end));
+                    let whisker = |points| {
+                        let stroke = egui::Stroke::new(1.5, palette.text);
+                        Line::new("interval", PlotPoints::from(points)).stroke(stroke).allow_hover(false)
+                    };
+                    plot.line(whisker(vec![[x, near], [x, far]]));
+                    for y in [near, far] {
+                        plot.line(whisker(vec![[x - 0.06, y], [x + 0.06, y]]));
+                    }
+                }
+                let label = match known {
+                    Some(known) => report::with_sigma(Length::new(value, unit), known.sigma, unit).text(unit),
+                    None => format!("{} {}", number::significant(value, report::DIGITS), unit.symbol()),
+                };
+                // Above the whisker, so that neither covers the other.
+                let above = known
+                    .and_then(|known| known.interval.far)
+                    .map_or(value, |far| far.in_unit(unit))
+                    .min(top * 0.92);
                 plot.text(
                     Text::new(
                         "value",
-                        PlotPoint::new(x, value / top + 0.015),
+                        PlotPoint::new(x, above / top + 0.015),
                         RichText::new(label).font(theme::strong(theme::SMALL_SIZE)).color(palette.text),
                     )
                     .color(palette.text)

@@ -1,40 +1,62 @@
-//! The form: five fields, the buttons, the examples.
+//! The form: five fields, the buttons, the examples, and the ways to ask for more.
 
+use super::helpers::Helper;
+use super::unknown;
 use crate::app::command::Command;
 use crate::app::theme::{self, Layout};
-use crate::app::widgets::{quantity_field, text};
+use crate::app::widgets::quantity_field::{self, Around};
+use crate::app::widgets::text;
 use crate::core::problem::Field;
-use crate::formats::inputs::{Assessment, Example, Inputs, Note};
+use crate::formats::inputs::{Assessment, Example, Inputs};
 use egui::accesskit::Role;
 use egui::{Button, RichText, Stroke, Ui, UiBuilder, vec2};
 
 const SECTIONS: [(&str, &[Field]); 3] = [
     ("Camera", &[Field::FocalLength]),
-    ("Stereo", &[Field::Baseline, Field::Disparity]),
+    ("Stereo", &[Field::Baseline, Field::Disparity, Field::Doffs]),
     ("Monocular", &[Field::ImageWidth, Field::RealWidth]),
 ];
 
 /// Draws the form. With `marked`, what is missing is said at the fields too.
-pub fn show(ui: &mut Ui, layout: Layout, inputs: &mut Inputs, assessment: &Assessment, marked: bool, commands: &mut Vec<Command>) {
+pub fn show(
+    ui: &mut Ui,
+    layout: Layout,
+    inputs: &mut Inputs,
+    assessment: &Assessment,
+    marked: bool,
+    shows_geometry: bool,
+    commands: &mut Vec<Command>,
+) {
     let height = layout.control_height();
     let missing = if marked { inputs.missing() } else { Vec::new() };
-    let note = |field: Field| -> Option<&Note> { assessment.note(field).or_else(|| missing.iter().find(|note| note.field == field)) };
+    let around = |field: Field| Around {
+        value_note: assessment.note(field).or_else(|| missing.iter().find(|note| note.field == field)),
+        sigma_note: assessment.sigma_note(field),
+        helper: Helper::at(field),
+        computed: assessment.unknown.as_ref().filter(|unknown| unknown.field == field),
+    };
     let builder = UiBuilder::new().accessibility_role(Role::Form).accessibility_label("Inputs");
     ui.scope_builder(builder, |ui| {
         theme::card(theme::palette(ui)).show(ui, |ui| {
             ui.set_width(ui.available_width());
             ui.spacing_mut().item_spacing.y = theme::STEP;
+            unknown::show(ui, inputs, assessment, height, commands);
             for (section, fields) in SECTIONS {
                 text::card_heading(ui, section);
                 ui.add_space(2.0);
                 for &field in fields {
-                    quantity_field::show(ui, inputs, field, note(field), height, commands);
+                    // Most rigs have no offset, and who has none should not have to wonder what it is.
+                    if field == Field::Doffs && !inputs.shows_doffs() {
+                        continue;
+                    }
+                    quantity_field::show(ui, inputs, field, around(field), height, commands);
                     ui.add_space(2.0 * theme::STEP);
                 }
             }
             buttons(ui, height, commands);
             ui.add_space(theme::STEP);
             examples(ui, layout, commands);
+            more(ui, layout, inputs, shows_geometry, commands);
         });
     });
 }
@@ -64,28 +86,40 @@ fn buttons(ui: &mut Ui, height: f32, commands: &mut Vec<Command>) {
 }
 
 fn examples(ui: &mut Ui, layout: Layout, commands: &mut Vec<Command>) {
-    let palette = theme::palette(ui);
     ui.horizontal_wrapped(|ui| {
         text::caption(ui, "Examples:");
         for example in Example::ALL {
-            let link = Button::new(
-                RichText::new(example.name())
-                    .size(theme::SMALL_SIZE)
-                    .underline()
-                    .color(palette.blue),
-            )
-            .frame(false)
-            .min_size(vec2(
-                0.0,
-                if layout == Layout::Phone {
-                    theme::CONTROL_HEIGHT_TOUCH
-                } else {
-                    28.0
-                },
-            ));
-            if ui.add(link).clicked() {
-                commands.push(Command::Open(example.inputs()));
+            if text::link_button(ui, example.name(), layout).clicked() {
+                commands.push(Command::Open(Box::new(example.inputs()), "The example is filled in."));
             }
+        }
+    });
+}
+
+/// What is not shown until it is asked for.
+fn more(ui: &mut Ui, layout: Layout, inputs: &mut Inputs, shows_geometry: bool, commands: &mut Vec<Command>) {
+    ui.horizontal_wrapped(|ui| {
+        text::caption(ui, "More:");
+        let name = if inputs.with_uncertainty {
+            "Hide uncertainty"
+        } else {
+            "Add uncertainty"
+        };
+        if text::link_button(ui, name, layout).clicked() {
+            inputs.with_uncertainty = !inputs.with_uncertainty;
+            commands.push(Command::Settle);
+        }
+        if inputs.unknown.is_none() && text::link_button(ui, "Solve for another quantity", layout).clicked() {
+            inputs.unknown = Some(unknown::FIRST);
+            commands.push(Command::Settle);
+        }
+        let name = if shows_geometry {
+            "Hide range, tilt and ground plane"
+        } else {
+            "Range, tilt, ground plane"
+        };
+        if text::link_button(ui, name, layout).clicked() {
+            commands.push(Command::ShowGeometry(!shows_geometry));
         }
     });
 }

@@ -3,11 +3,16 @@
 mod bars;
 mod curve;
 mod form;
+pub mod geometry;
+pub mod helpers;
 mod results;
 mod table;
 mod top_view;
+mod uncertainty;
+mod unknown;
 
 use super::command::Command;
+use super::saved::Settings;
 use super::sheet::Sheet;
 use super::theme::{self, Layout};
 use super::widgets::{cards, text};
@@ -23,19 +28,22 @@ pub struct Calculator {
     pub marked: bool,
     /// Bring the results into view in the next frame.
     pub reveal_results: bool,
+    /// The helper that is open.
+    pub helper: Option<helpers::Helper>,
     curve: curve::Curve,
+    simulations: uncertainty::Simulations,
 }
 
 impl Calculator {
     /// Draws the screen. The sheet is refreshed after the form, so that the results belong to what is in it now.
-    pub fn show(&mut self, ui: &mut Ui, layout: Layout, sheet: &mut Sheet, result_unit: LengthUnit, commands: &mut Vec<Command>) {
+    pub fn show(&mut self, ui: &mut Ui, layout: Layout, sheet: &mut Sheet, settings: &mut Settings, commands: &mut Vec<Command>) {
         let gap = layout.gap();
         match layout {
             Layout::Phone => {
                 page_scroll(ui, "calculator", |ui| {
                     ui.spacing_mut().item_spacing.y = gap;
-                    self.form(ui, layout, sheet, commands);
-                    self.results(ui, layout, sheet.assessment(), result_unit, commands);
+                    self.form(ui, layout, sheet, settings, commands);
+                    self.results(ui, layout, sheet, settings, commands);
                 });
             }
             Layout::Tablet | Layout::Desktop | Layout::Wide => {
@@ -51,31 +59,54 @@ impl Calculator {
                         });
                     });
                 };
-                column(ui, left, "form", &mut |ui| self.form(ui, layout, sheet, commands));
+                column(ui, left, "form", &mut |ui| self.form(ui, layout, sheet, settings, commands));
                 column(ui, right.with_min_x(right.left() + gap), "results", &mut |ui| {
-                    self.results(ui, layout, sheet.assessment(), result_unit, commands);
+                    self.results(ui, layout, sheet, settings, commands);
                 });
             }
         }
+        if let Some(helper) = self.helper {
+            helpers::show(ui, layout, helper, &sheet.inputs, &mut settings.texts, commands);
+        }
     }
 
-    fn form(&mut self, ui: &mut Ui, layout: Layout, sheet: &mut Sheet, commands: &mut Vec<Command>) {
+    /// Goes on with what takes longer than a frame. Returns whether another frame is wanted.
+    pub fn simulate(&mut self, assessment: &Assessment) -> bool {
+        self.simulations.advance(assessment)
+    }
+
+    fn form(&mut self, ui: &mut Ui, layout: Layout, sheet: &mut Sheet, settings: &Settings, commands: &mut Vec<Command>) {
         let (inputs, assessment) = sheet.parts();
-        form::show(ui, layout, inputs, assessment, self.marked, commands);
+        form::show(ui, layout, inputs, assessment, self.marked, settings.shows_geometry, commands);
         if sheet.refresh() {
             // Something is being typed: what is still missing is no news any more.
             self.marked = false;
         }
     }
 
-    fn results(&mut self, ui: &mut Ui, layout: Layout, assessment: &Assessment, unit: LengthUnit, commands: &mut Vec<Command>) {
+    fn results(&mut self, ui: &mut Ui, layout: Layout, sheet: &Sheet, settings: &mut Settings, commands: &mut Vec<Command>) {
+        let unit = settings.result_unit;
+        let assessment = sheet.assessment();
+        let inputs_unit = sheet.inputs.unknown.and_then(|(_, field)| sheet.inputs.unit(field));
         let gap = layout.gap();
         let solution = &assessment.solution;
         let top = ui.cursor().min;
-        results::show(ui, layout, solution, unit, commands);
+        results::show(ui, layout, assessment, inputs_unit, unit, commands);
         if std::mem::take(&mut self.reveal_results) {
             let rect = egui::Rect::from_min_max(top, ui.min_rect().max);
             ui.scroll_to_rect(rect, Some(Align::Min));
+        }
+        uncertainty::show(ui, solution, &self.simulations, unit, layout.columns(), gap);
+        if settings.shows_geometry {
+            geometry::show(
+                ui,
+                solution,
+                unit,
+                &mut settings.texts,
+                layout.control_height(),
+                layout.columns(),
+                gap,
+            );
         }
         let curve = &mut self.curve;
         let mut card = |ui: &mut Ui, which: Card, row: Id| {

@@ -4,8 +4,10 @@ use crate::app::command::Command;
 use crate::app::theme::{self, Layout};
 use crate::app::widgets::quantity_field::length_unit_choice;
 use crate::app::widgets::{cards, text};
-use crate::core::problem::{Method, Solution};
-use crate::core::quantity::LengthUnit;
+use crate::core::agreement::Verdict;
+use crate::core::problem::{Method, Solution, Together};
+use crate::core::quantity::{Length, LengthUnit};
+use crate::formats::inputs::{Assessment, Unknown};
 use crate::formats::report;
 use egui::accesskit::Role;
 use egui::{Id, RichText, Ui, UiBuilder};
@@ -27,7 +29,15 @@ pub fn headline(solution: &Solution, unit: LengthUnit) -> Vec<(Option<&'static s
 }
 
 /// Draws the result cards.
-pub fn show(ui: &mut Ui, layout: Layout, solution: &Solution, unit: LengthUnit, commands: &mut Vec<Command>) {
+pub fn show(
+    ui: &mut Ui,
+    layout: Layout,
+    assessment: &Assessment,
+    inputs_unit: Option<LengthUnit>,
+    unit: LengthUnit,
+    commands: &mut Vec<Command>,
+) {
+    let solution = &assessment.solution;
     let palette = theme::palette(ui);
     ui.horizontal(|ui| {
         text::heading(ui, "Results", 2, theme::strong(16.0), palette.text);
@@ -45,24 +55,100 @@ pub fn show(ui: &mut Ui, layout: Layout, solution: &Solution, unit: LengthUnit, 
             text::caption(ui, "in");
         });
     });
-    let found: Vec<Method> = Method::ALL
+    if let Some(unknown) = &assessment.unknown {
+        card(ui, unknown.field.name(), |ui| solved(ui, unknown, inputs_unit));
+    }
+    let mut shown: Vec<Shown<'_>> = Method::ALL
         .into_iter()
         .filter(|&method| solution.outcome(method).distance().is_some())
+        .map(Shown::Method)
         .collect();
-    if found.is_empty() {
+    if shown.is_empty() {
         card(ui, "Result", |ui| empty(ui, unit));
         return;
     }
-    let columns = if layout.columns() == 1 { 1 } else { found.len() };
-    for (number, row) in found.chunks(columns).enumerate() {
+    shown.extend(solution.together.as_ref().map(Shown::Together));
+    let columns = if layout.columns() == 1 { 1 } else { shown.len() };
+    for (number, row) in shown.chunks(columns).enumerate() {
         let id = Id::unique(("results", columns, number));
-        cards::row(ui, row, layout.gap(), |ui, &method| {
-            card(ui, method.name(), |ui| {
-                result(ui, solution, method, unit);
+        cards::row(ui, row, layout.gap(), |ui, &shown| {
+            card(ui, shown.name(), |ui| {
+                match shown {
+                    Shown::Method(method) => result(ui, solution, method, unit),
+                    Shown::Together(together) => combined(ui, together, unit),
+                }
                 cards::fill_height(ui, id);
             });
         });
     }
+}
+
+/// A card of the highlighted result.
+#[derive(Clone, Copy)]
+enum Shown<'a> {
+    Method(Method),
+    Together(&'a Together),
+}
+
+impl Shown<'_> {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Method(method) => method.name(),
+            Self::Together(_) => "Combined",
+        }
+    }
+}
+
+/// What both distances say together, and whether they agree.
+fn combined(ui: &mut Ui, together: &Together, unit: LengthUnit) {
+    let palette = theme::palette(ui);
+    let (words, front, back) = match together.agreement.verdict {
+        Some(Verdict::Agree) => ("They agree", palette.green, palette.green_tint),
+        Some(Verdict::Doubtful) => ("They hardly agree", palette.orange_text, palette.orange_tint),
+        Some(Verdict::Disagree) => ("They disagree", palette.red, palette.red_tint),
+        None => ("Combined", palette.muted, palette.highlight),
+    };
+    text::badge(ui, words, front, back);
+    match together.combined {
+        Some(combined) => {
+            let words = report::with_sigma(Length::from_m(combined.value), Length::from_m(combined.sigma), unit);
+            number(
+                ui,
+                &words.value,
+                &format!("{} ± {}", unit.symbol(), words.sigma),
+                "Combined distance",
+            );
+            text::caption(ui, "Combined estimate; the shared focal length is accounted for");
+        }
+        None => {
+            number(ui, crate::formats::number::NO_NUMBER, unit.symbol(), "Combined distance");
+        }
+    }
+    if together.agreement.verdict != Some(Verdict::Agree) {
+        ui.label(
+            RichText::new(report::agreement_sentence(&together.agreement))
+                .size(theme::SMALL_SIZE)
+                .color(palette.text),
+        );
+    }
+    for suspect in together.agreement.suspects.iter().take(3) {
+        text::caption(ui, format!("• {}", report::suspect_sentence(suspect)));
+    }
+}
+
+/// The quantity that was solved for.
+fn solved(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
+    let palette = theme::palette(ui);
+    text::badge(
+        ui,
+        &format!("{}: {}", unknown.method.name(), unknown.field.name()),
+        palette.green,
+        palette.green_tint,
+    );
+    let words = report::unknown(unknown, unit);
+    let size = if unknown.outcome.is_ok() { 26.0 } else { theme::BODY_SIZE };
+    let response = ui.label(RichText::new(words).font(theme::strong(size)).color(palette.text));
+    text::announce(ui, &response);
 }
 
 fn card(ui: &mut Ui, name: &str, add_contents: impl FnOnce(&mut Ui)) {
@@ -75,7 +161,7 @@ fn card(ui: &mut Ui, name: &str, add_contents: impl FnOnce(&mut Ui)) {
     });
 }
 
-fn number(ui: &mut Ui, value: &str, unit: LengthUnit, name: &str) {
+fn number(ui: &mut Ui, value: &str, unit: &str, name: &str) {
     let palette = theme::palette(ui);
     // One label, so that it is read, found and copied as one: "1.400 m".
     let mut job = egui::text::LayoutJob::default();
@@ -87,7 +173,7 @@ fn number(ui: &mut Ui, value: &str, unit: LengthUnit, name: &str) {
     let mut small = egui::TextFormat::simple(theme::regular(theme::RESULT_UNIT_SIZE), palette.muted);
     // Text of two sizes is aligned at the bottom of the line; the taller line lifts the small one to the same baseline.
     small.line_height = Some(theme::RESULT_UNIT_SIZE * 1.21 + (theme::RESULT_SIZE - theme::RESULT_UNIT_SIZE) * 0.48);
-    job.append(&format!(" {}", unit.symbol()), 2.0, small);
+    job.append(&format!(" {unit}"), 2.0, small);
     let response = ui.label(job);
     text::announce(ui, &response);
     ui.accesskit_node_builder(response.id, |node| node.set_description(name));
@@ -98,25 +184,29 @@ fn result(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
     let (front, back) = text::badge_colors(palette, method);
     text::badge(ui, method.name(), front, back);
     let distance = solution.outcome(method).distance();
-    number(
-        ui,
-        &report::length_number(distance, unit),
-        unit,
-        &format!("{} distance", method.name()),
-    );
+    let name = format!("{} distance", method.name());
+    match (distance, solution.known(method)) {
+        (Some(distance), Some(known)) => {
+            let words = report::with_sigma(distance, known.sigma, unit);
+            number(ui, &words.value, &format!("{} ± {}", unit.symbol(), words.sigma), &name);
+            let cause = report::main_cause(known).map_or_else(String::new, |cause| format!(" · {cause}"));
+            text::caption(ui, format!("{}{cause}", report::interval(known, unit)));
+        }
+        _ => number(ui, &report::length_number(distance, unit), unit.symbol(), &name),
+    }
     if method == Method::Stereo
         && let Some(range) = report::one_pixel_around(solution, unit)
     {
         text::caption(ui, format!("{range} with one pixel of disparity more or less"));
     }
-    text::caption(ui, method.formula());
+    text::caption(ui, report::formula(solution, method));
     if let Some(formula) = report::formula_with_numbers(solution, method) {
         ui.label(RichText::new(formula).size(theme::SMALL_SIZE).color(palette.text));
     }
 }
 
 fn empty(ui: &mut Ui, unit: LengthUnit) {
-    number(ui, crate::formats::number::NO_NUMBER, unit, "Distance");
+    number(ui, crate::formats::number::NO_NUMBER, unit.symbol(), "Distance");
     for method in Method::ALL {
         let [first, second, third] = method.fields().map(|field| field.symbol());
         text::caption(

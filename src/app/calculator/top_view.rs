@@ -2,7 +2,7 @@
 
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::picture;
-use crate::core::problem::Solution;
+use crate::core::problem::{Method, Solution};
 use crate::core::quantity::{Length, LengthUnit};
 use crate::formats::{number, report};
 use egui::{Align2, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, pos2, vec2};
@@ -38,22 +38,34 @@ struct Model {
     baseline_m: Option<f64>,
     /// The object's width, where it is known.
     width_m: Option<f64>,
+    /// The 1 σ interval of the depth, where it is known; without an upper bound its far end is absent.
+    interval_m: Option<(f64, Option<f64>)>,
 }
 
 impl Model {
     /// The stereo scene where there is a stereo distance, else the monocular one.
     fn new(solution: &Solution) -> Option<Self> {
         let problem = &solution.problem;
+        let method = if solution.stereo.distance().is_some() {
+            Method::Stereo
+        } else {
+            Method::Monocular
+        };
+        let interval_m = solution
+            .known(method)
+            .map(|known| (known.interval.near.m(), known.interval.far.map(Length::m)));
         let model = match solution.stereo.distance() {
             Some(depth) => Self {
                 depth_m: depth.m(),
                 baseline_m: problem.baseline.map(Length::m),
                 width_m: problem.real_width.map(Length::m),
+                interval_m,
             },
             None => Self {
                 depth_m: solution.monocular.distance()?.m(),
                 baseline_m: None,
                 width_m: problem.real_width.map(Length::m),
+                interval_m,
             },
         };
         // Painting is done in f32: what f32 cannot tell apart is not worth a picture.
@@ -158,6 +170,12 @@ fn paint(painter: &Painter, palette: &Palette, model: &Model, scene: &Scene, uni
     }
     if let Some(edges) = scene.edges {
         painter.line_segment(edges, Stroke::new(3.0, palette.orange));
+    }
+    if let Some((near, far)) = model.interval_m {
+        let x = scene.object.x;
+        let y = |depth_m: f64| scene.object.y + to_f32((model.depth_m - depth_m) * scene.points_per_metre);
+        let span = Rect::from_x_y_ranges(x - 5.0..=x + 5.0, far.map_or(frame.top(), y)..=y(near));
+        painter.rect_filled(span, 5.0, palette.blue.gamma_multiply(0.35));
     }
     painter.circle_filled(scene.object, 4.5, palette.blue);
     for &camera in &scene.cameras {

@@ -45,7 +45,7 @@ impl Learn {
         if let Some(target) = followed {
             let mut inputs = Inputs::default();
             if link::apply(&target, &mut inputs) {
-                commands.push(Command::Open(inputs));
+                commands.push(Command::Open(Box::new(inputs), "The example is filled in."));
             }
         }
     }

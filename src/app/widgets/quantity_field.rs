@@ -1,43 +1,98 @@
 //! A field for one quantity: name, text, unit, hint, and what is wrong with it.
 
+use crate::app::calculator::helpers::{Helper, MATCHING_ERRORS};
 use crate::app::command::Command;
 use crate::app::theme;
 use crate::core::problem::Field;
 use crate::core::quantity::LengthUnit;
-use crate::formats::inputs::{Inputs, Note, Severity, example_text, hint};
+use crate::formats::inputs::{Inputs, Note, Severity, Unknown, example_text, hint};
+use crate::formats::report;
 use egui::accesskit::{Invalid, Role};
 use egui::text::{CCursor, CCursorRange};
-use egui::{Align, Button, ComboBox, Id, Key, Modifiers, Rect, Response, RichText, Sense, Stroke, TextEdit, Ui, vec2};
+use egui::{Align, Button, ComboBox, Id, Key, Modifiers, Response, RichText, Sense, Stroke, TextEdit, Ui, vec2};
 
 const UNIT_WIDTH: f32 = 76.0;
+const SIGMA_WIDTH: f32 = 88.0;
+
+/// What stands around a field.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Around<'a> {
+    /// What is to be said about its value.
+    pub value_note: Option<&'a Note>,
+    /// What is to be said about its σ.
+    pub sigma_note: Option<&'a Note>,
+    /// The helper that knows where such numbers come from, and what its link says.
+    pub helper: Option<(Helper, &'static str)>,
+    /// Set where the field is what is solved for: it shows the solution and takes no text.
+    pub computed: Option<&'a Unknown>,
+}
 
 /// The id of the text field of `field`, for moving the focus to it.
 pub fn id(field: Field) -> Id {
     Id::unique(("quantity field", field))
 }
 
+/// The id of the field for the σ of `field`.
+pub fn sigma_id(field: Field) -> Id {
+    Id::unique(("uncertainty field", field))
+}
+
 /// Draws the field. Edits go straight into `inputs`; what else the person wants is added to `commands`.
-pub fn show(ui: &mut Ui, inputs: &mut Inputs, field: Field, note: Option<&Note>, height: f32, commands: &mut Vec<Command>) {
+pub fn show(ui: &mut Ui, inputs: &mut Inputs, field: Field, around: Around<'_>, height: f32, commands: &mut Vec<Command>) {
     let palette = theme::palette(ui);
-    let name = ui.label(
-        RichText::new(field.name())
-            .font(theme::strong(theme::BODY_SIZE))
-            .color(palette.text),
+    let line = vec2(
+        ui.available_width(),
+        if height >= theme::CONTROL_HEIGHT_TOUCH && around.helper.is_some() {
+            height
+        } else {
+            20.0
+        },
     );
+    let name = ui
+        .allocate_ui_with_layout(line, egui::Layout::left_to_right(Align::Center), |ui| {
+            let name = ui.label(
+                RichText::new(field.name())
+                    .font(theme::strong(theme::BODY_SIZE))
+                    .color(palette.text),
+            );
+            if let Some((helper, link)) = around.helper {
+                ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| {
+                    let height = if height >= theme::CONTROL_HEIGHT_TOUCH { height } else { 20.0 };
+                    let link = Button::new(RichText::new(link).size(theme::SMALL_SIZE).color(palette.blue)).frame(false);
+                    if ui.add(link.min_size(vec2(0.0, height))).clicked() {
+                        commands.push(Command::Help(Some(helper)));
+                    }
+                });
+            }
+            name
+        })
+        .inner;
+    if let Some(unknown) = around.computed {
+        computed(ui, inputs, unknown, height);
+        return;
+    }
     let text_response = ui
         .horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             ui.spacing_mut().interact_size.y = height;
-            let width = ui.available_width() - UNIT_WIDTH - 6.0;
-            let response = text_field(ui, inputs, field, note, vec2(width, height), &name, commands);
+            let sigma_width = if inputs.with_uncertainty { SIGMA_WIDTH + 6.0 } else { 0.0 };
+            let width = ui.available_width() - UNIT_WIDTH - 6.0 - sigma_width;
+            let response = text_field(ui, inputs, field, around.value_note, vec2(width, height), &name, commands);
             unit_choice(ui, inputs, field, vec2(UNIT_WIDTH, height), commands);
+            if inputs.with_uncertainty {
+                sigma_field(ui, inputs, field, around.sigma_note, vec2(SIGMA_WIDTH, height), commands);
+            }
             response
         })
         .inner;
     super::text::caption(ui, hint(field));
-    if let Some(note) = note {
+    if inputs.with_uncertainty && field == Field::Disparity {
+        typical_errors(ui, inputs, field, height, commands);
+    }
+    for (note, id) in [(around.value_note, text_response.id), (around.sigma_note, sigma_id(field))] {
+        let Some(note) = note else { continue };
         let said = note_below(ui, note, height, commands);
-        ui.accesskit_node_builder(text_response.id, |node| {
+        ui.accesskit_node_builder(id, |node| {
             node.set_described_by(vec![said.id.accesskit_id()]);
             if note.severity == Severity::Error {
                 node.set_invalid(Invalid::True);
@@ -76,16 +131,7 @@ fn text_field(
     }
     let output = ui
         .scope(|ui| {
-            if let Some(note) = note {
-                let palette = theme::palette(ui);
-                let color = match note.severity {
-                    Severity::Error => palette.red,
-                    Severity::Warning => palette.amber,
-                };
-                let widgets = &mut ui.visuals_mut().widgets;
-                widgets.inactive.bg_stroke = Stroke::new(1.5, color);
-                widgets.hovered.bg_stroke = Stroke::new(1.5, color);
-            }
+            mark(ui, note);
             let palette = theme::palette(ui);
             TextEdit::singleline(&mut inputs.entry_mut(field).text)
                 .id(id)
@@ -124,23 +170,105 @@ fn text_field(
     response
 }
 
+/// The solution in place of the field.
+fn computed(ui: &mut Ui, inputs: &Inputs, unknown: &Unknown, height: f32) {
+    let palette = theme::palette(ui);
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
+    ui.painter().rect_filled(rect, theme::CONTROL_RADIUS, palette.highlight);
+    let words = report::unknown(unknown, inputs.unit(unknown.field));
+    let response = ui.put(
+        rect.shrink2(vec2(10.0, 0.0)),
+        egui::Label::new(RichText::new(words).font(theme::strong(theme::BODY_SIZE))),
+    );
+    super::text::announce(ui, &response);
+    super::text::caption(ui, "Computed from the distance and the other quantities.");
+}
+
+fn sigma_field(ui: &mut Ui, inputs: &mut Inputs, field: Field, note: Option<&Note>, size: egui::Vec2, commands: &mut Vec<Command>) {
+    let palette = theme::palette(ui);
+    let id = sigma_id(field);
+    if ui.memory(|memory| memory.has_focus(id)) && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter)) {
+        commands.push(Command::Calculate);
+    }
+    let mut text = inputs.sigma(field).to_owned();
+    let response = ui
+        .scope(|ui| {
+            mark(ui, note);
+            TextEdit::singleline(&mut text)
+                .id(id)
+                .prefix(RichText::new("±").color(palette.muted))
+                .hint_text(RichText::new("none").color(palette.muted))
+                .align(egui::Align2::RIGHT_CENTER)
+                .margin(egui::Margin::symmetric(8, 4))
+                .desired_width(size.x)
+                .min_size(size)
+                .return_key(None)
+                .show(ui)
+        })
+        .inner
+        .response
+        .response
+        .accessible_name(format!("Uncertainty of {}", field.name()));
+    ui.accesskit_node_builder(id, |node| {
+        node.set_description("One standard deviation, in the unit of the value, with a unit of its own, or in percent. Empty: none.");
+    });
+    if response.changed() {
+        inputs.set_sigma(field, text);
+    }
+    if response.gained_focus() {
+        response.scroll_to_me(None);
+    }
+    if response.lost_focus() {
+        commands.push(Command::Settle);
+    }
+}
+
+/// A choice among the matching errors that people state.
+fn typical_errors(ui: &mut Ui, inputs: &mut Inputs, field: Field, height: f32, commands: &mut Vec<Command>) {
+    ui.spacing_mut().interact_size.y = height;
+    ComboBox::from_id_salt("typical matching errors")
+        .width(ui.available_width())
+        .selected_text("Typical matching errors…")
+        .show_ui(ui, |ui| {
+            for (sigma, source) in MATCHING_ERRORS {
+                if ui
+                    .selectable_label(inputs.sigma(field) == sigma, format!("± {sigma} px: {source}"))
+                    .clicked()
+                {
+                    inputs.set_sigma(field, sigma);
+                    commands.push(Command::Settle);
+                    ui.close();
+                }
+            }
+        })
+        .response
+        .accessible_name("Typical matching errors");
+}
+
+/// Gives the next field in `ui` the border of what is wrong with it.
+fn mark(ui: &mut Ui, note: Option<&Note>) {
+    if let Some(note) = note {
+        let palette = theme::palette(ui);
+        let color = match note.severity {
+            Severity::Error => palette.red,
+            Severity::Warning => palette.amber,
+        };
+        let widgets = &mut ui.visuals_mut().widgets;
+        widgets.inactive.bg_stroke = Stroke::new(1.5, color);
+        widgets.hovered.bg_stroke = Stroke::new(1.5, color);
+    }
+}
+
 fn unit_choice(ui: &mut Ui, inputs: &mut Inputs, field: Field, size: egui::Vec2, commands: &mut Vec<Command>) {
     let palette = theme::palette(ui);
     let Some(mut unit) = inputs.unit(field) else {
         let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
-        let inside = Rect::from_min_max(rect.min + vec2(11.0, 0.0), rect.max);
-        ui.painter().rect_stroke(
-            rect,
-            theme::CONTROL_RADIUS,
-            Stroke::new(1.0, palette.line),
-            egui::StrokeKind::Inside,
-        );
-        ui.put(inside, |ui: &mut Ui| {
-            ui.with_layout(egui::Layout::left_to_right(Align::Center), |ui| {
-                ui.label(RichText::new("px").color(palette.muted))
-            })
-            .response
-        });
+        let stroke = Stroke::new(1.0, palette.line);
+        ui.painter()
+            .rect_stroke(rect, theme::CONTROL_RADIUS, stroke, egui::StrokeKind::Inside);
+        let at = rect.left_center() + vec2(11.0, 0.0);
+        let font = theme::regular(theme::BODY_SIZE);
+        ui.painter().text(at, egui::Align2::LEFT_CENTER, "px", font, palette.muted);
         return;
     };
     let before = unit;
@@ -158,7 +286,11 @@ pub fn length_unit_choice(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::Debu
         .selected_text(unit.symbol())
         .show_ui(ui, |ui| {
             for choice in LengthUnit::ALL {
-                ui.selectable_value(unit, choice, format!("{}  ({})", choice.symbol(), choice.name()));
+                let name = format!("{}  ({})", choice.symbol(), choice.name());
+                // Closing is said, as egui closes by itself only for a pointer.
+                if ui.selectable_value(unit, choice, name).clicked() {
+                    ui.close();
+                }
             }
         })
         .response

@@ -3,9 +3,11 @@
 //! Before this runs, `assets/web/start.js` has checked the browser and fetched the program.
 
 mod browser;
+pub mod mirror;
 mod page;
 
 use wasm_bindgen::JsCast as _;
+use wasm_bindgen::closure::Closure;
 
 use crate::app::App;
 use browser::Browser;
@@ -41,17 +43,37 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
         .ok_or("The page has no element with the id \"app\".")?
         .dyn_into::<web_sys::HtmlCanvasElement>()
         .map_err(|_element| "The element with the id \"app\" is not a canvas.")?;
+    let mirrored = canvas.clone();
     runner
         .start(
             canvas,
             options(),
-            Box::new(|creation| {
+            Box::new(move |creation| {
                 creation.egui_ctx.add_plugin(FirstFrame::default());
+                if let Err(error) = mirror::Mirror::install(&creation.egui_ctx, &mirrored) {
+                    log::error!("The page works, but not with a screen reader: {}", browser::sentence(&error));
+                }
+                wake_on_link(&creation.egui_ctx);
                 Ok(Box::new(App::new(creation, Box::new(Browser::default()))))
             }),
         )
         .await
         .map_err(|error| browser::sentence(&error))
+}
+
+/// A link followed within the page changes only its fragment: the program has to be woken to read it.
+fn wake_on_link(ctx: &egui::Context) {
+    let ctx = ctx.clone();
+    let wake = Closure::<dyn FnMut()>::new(move || ctx.request_repaint());
+    if let Some(window) = web_sys::window()
+        && window
+            .add_event_listener_with_callback("hashchange", wake.as_ref().unchecked_ref())
+            .is_err()
+    {
+        log::warn!("Links to examples work only after a reload.");
+    }
+    // Listens as long as the page lives.
+    wake.forget();
 }
 
 fn options() -> eframe::WebOptions {

@@ -1,0 +1,262 @@
+//! How sure one can be: where the variance comes from, and a simulation where first order is not good enough.
+
+use crate::app::theme;
+use crate::app::widgets::{cards, picture, text};
+use crate::core::monte_carlo::{Distribution, MonteCarlo, Quantiles};
+use crate::core::problem::{Field, Method, Solution};
+use crate::core::quantity::{Length, LengthUnit};
+use crate::core::uncertainty::Model;
+use crate::formats::inputs::Assessment;
+use crate::formats::report;
+use egui::{Align2, Color32, Rect, Sense, Ui, pos2, vec2};
+
+/// Draws of a simulation.
+const DRAWS: u32 = 100_000;
+/// Draws in one frame: some milliseconds, so that the screen never waits.
+const DRAWS_IN_A_FRAME: u32 = 10_000;
+/// Any number will do; always the same one makes the figures reproducible.
+const SEED: u64 = 1954;
+
+/// The simulations that the assessment asks for, one for each method.
+#[derive(Debug, Default)]
+pub struct Simulations {
+    stereo: Simulation,
+    monocular: Simulation,
+}
+
+#[derive(Debug, Default)]
+enum Simulation {
+    #[default]
+    None,
+    Running(Model, Box<MonteCarlo>),
+    Done(Model, Box<Distribution>),
+}
+
+impl Simulation {
+    /// Goes on for one frame. Returns whether there is more to do.
+    fn advance(&mut self, wanted: Option<Model>) -> bool {
+        let Some(wanted) = wanted else {
+            *self = Self::None;
+            return false;
+        };
+        let running = match self {
+            Self::Done(model, _) if *model == wanted => return false,
+            Self::Running(model, running) if *model == wanted => running,
+            _ => {
+                *self = Self::Running(wanted, Box::new(MonteCarlo::new(wanted, SEED)));
+                return true;
+            }
+        };
+        running.draw(DRAWS_IN_A_FRAME);
+        if running.drawn() < DRAWS {
+            return true;
+        }
+        *self = Self::Done(wanted, Box::new(running.clone().finish()));
+        // Once more, to show it.
+        true
+    }
+}
+
+impl Simulations {
+    /// Goes on for one frame with what `assessment` needs. Returns whether another frame is wanted.
+    pub fn advance(&mut self, assessment: &Assessment) -> bool {
+        let wanted = |method| {
+            let known = assessment.solution.known(method)?;
+            (!known.model.first_order_is_good()).then_some(known.model)
+        };
+        let stereo = self.stereo.advance(wanted(Method::Stereo));
+        self.monocular.advance(wanted(Method::Monocular)) || stereo
+    }
+
+    fn of(&self, method: Method) -> &Simulation {
+        match method {
+            Method::Stereo => &self.stereo,
+            Method::Monocular => &self.monocular,
+        }
+    }
+}
+
+/// Draws the cards of what is known with σ; nothing where no σ was given.
+pub fn show(ui: &mut Ui, solution: &Solution, simulations: &Simulations, unit: LengthUnit, columns: usize, gap: f32) {
+    let known: Vec<Method> = Method::ALL.into_iter().filter(|&method| solution.known(method).is_some()).collect();
+    for (number, row) in known.chunks(columns.min(2)).enumerate() {
+        let id = egui::Id::unique(("budgets", columns, number));
+        cards::row(ui, row, gap, |ui, &method| {
+            cards::card(ui, budget_title(method), |ui| {
+                budget(ui, solution, method, unit);
+                cards::fill_height(ui, id);
+            });
+        });
+    }
+    let simulated: Vec<(Method, &Simulation)> = known
+        .into_iter()
+        .map(|method| (method, simulations.of(method)))
+        .filter(|(_, simulation)| !matches!(simulation, Simulation::None))
+        .collect();
+    for (number, row) in simulated.chunks(columns.min(2)).enumerate() {
+        let id = egui::Id::unique(("simulations", columns, number));
+        cards::row(ui, row, gap, |ui, (method, simulation)| {
+            cards::card(ui, simulation_title(*method), |ui| {
+                simulation_card(ui, *method, simulation, unit);
+                cards::fill_height(ui, id);
+            });
+        });
+    }
+}
+
+const fn budget_title(method: Method) -> &'static str {
+    match method {
+        Method::Stereo => "What makes stereo uncertain",
+        Method::Monocular => "What makes monocular uncertain",
+    }
+}
+
+const fn simulation_title(method: Method) -> &'static str {
+    match method {
+        Method::Stereo => "Stereo, simulated",
+        Method::Monocular => "Monocular, simulated",
+    }
+}
+
+/// The colour of a source of variance: the two lengths of the formula and the pixels of each method stay apart.
+fn color_of(ui: &Ui, field: Field) -> Color32 {
+    let palette = theme::palette(ui);
+    match field {
+        Field::FocalLength => palette.muted,
+        Field::Baseline | Field::RealWidth => palette.orange,
+        Field::Disparity | Field::ImageWidth => palette.blue,
+        Field::Doffs => palette.amber,
+    }
+}
+
+/// One bar, cut into the shares of the variance, over a line for each.
+fn budget(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
+    const BAR: f32 = 20.0;
+    let palette = theme::palette(ui);
+    let Some(known) = solution.known(method) else { return };
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), BAR), Sense::hover());
+    let mut x = rect.left();
+    for share in &known.budget {
+        let width = rect.width() * to_f32(share.share);
+        let part = Rect::from_min_size(pos2(x, rect.top()), vec2(width, BAR));
+        ui.painter().rect_filled(part, 0.0, color_of(ui, share.source));
+        x += width;
+        ui.painter().vline(x, rect.y_range(), egui::Stroke::new(1.5, palette.surface));
+    }
+    picture::describe(
+        ui,
+        &response,
+        budget_title(method),
+        &format!("Shares of the variance: {}.", report::budget(known)),
+    );
+    ui.add_space(theme::STEP);
+    for share in known.budget.iter().filter(|share| share.share > 0.0) {
+        let line = vec2(ui.available_width(), 20.0);
+        ui.allocate_ui_with_layout(line, egui::Layout::left_to_right(egui::Align::Center), |ui| {
+            let (dot, _) = ui.allocate_exact_size(vec2(12.0, 12.0), Sense::hover());
+            ui.painter().rect_filled(dot, 3.0, color_of(ui, share.source));
+            ui.label(format!("{} {}", report::short_name(share.source), report::percent(share.share)));
+        });
+    }
+    if let Some(bias) = known.bias
+        && bias.m() > known.sigma.m() / 100.0
+    {
+        let bias = report::length(Some(bias), unit);
+        text::caption(
+            ui,
+            format!("Averaging many such distances comes out {bias} too far: average the pixels, not the distances."),
+        );
+    }
+    if !known.model.first_order_is_good() {
+        let red = palette.amber;
+        ui.label(
+            egui::RichText::new(format!("⚠ {}", report::FIRST_ORDER_IS_POOR))
+                .size(theme::SMALL_SIZE)
+                .color(red),
+        );
+    }
+}
+
+fn simulation_card(ui: &mut Ui, method: Method, simulation: &Simulation, unit: LengthUnit) {
+    let Simulation::Done(_, distribution) = simulation else {
+        text::caption(ui, "Drawing 100 000 times…");
+        return;
+    };
+    histogram(ui, method, distribution, unit);
+    let end = |length: Option<Length>| length.map_or_else(|| "no upper bound".to_owned(), |length| report::length(Some(length), unit));
+    let interval = |quantiles: Quantiles| match (quantiles.near, quantiles.far) {
+        (Some(near), Some(far)) => format!("{} … {}", report::length_number(Some(near), unit), report::length(Some(far), unit)),
+        (near, far) => format!("{} … {}", end(near), end(far)),
+    };
+    super::table::pairs(
+        ui,
+        simulation_title(method),
+        &[
+            ("Median", end(distribution.median)),
+            ("Middle 68 %", interval(distribution.interval_68)),
+            ("Middle 95 %", interval(distribution.interval_95)),
+            ("Infinitely far", report::percent(distribution.share_infinite)),
+        ],
+    );
+    text::caption(
+        ui,
+        format!(
+            "{} draws of all inputs, the same ones every time. A draw whose pixels are zero or less counts as infinitely far.",
+            distribution.drawn
+        ),
+    );
+}
+
+fn histogram(ui: &mut Ui, method: Method, distribution: &Distribution, unit: LengthUnit) {
+    let palette = theme::palette(ui);
+    let Some(shape) = &distribution.histogram else { return };
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 120.0), Sense::hover());
+    let plot = rect.with_max_y(rect.bottom() - 18.0);
+    let most = shape.counts.iter().copied().max().unwrap_or(1).max(1);
+    let count = f32::from(u16::try_from(shape.counts.len()).unwrap_or(u16::MAX).max(1));
+    let width = plot.width() / count;
+    let color = match method {
+        Method::Stereo => palette.blue,
+        Method::Monocular => palette.orange,
+    };
+    let mut x = plot.left();
+    for &draws in &shape.counts {
+        let height = plot.height() * to_f32(f64::from(draws) / f64::from(most));
+        let bar = Rect::from_min_max(pos2(x, plot.bottom() - height), pos2(x + width, plot.bottom()));
+        ui.painter().rect_filled(bar, 0.0, color);
+        x += width;
+    }
+    ui.painter()
+        .hline(plot.x_range(), plot.bottom(), egui::Stroke::new(1.0, palette.line));
+    let label = |position, anchor, words: String| {
+        ui.painter()
+            .text(position, anchor, words, theme::regular(theme::SMALL_SIZE), palette.muted);
+    };
+    label(rect.left_bottom(), Align2::LEFT_BOTTOM, report::length(Some(shape.low), unit));
+    label(rect.right_bottom(), Align2::RIGHT_BOTTOM, report::length(Some(shape.high), unit));
+    if let Some(median) = distribution.median {
+        let span = shape.high.m() - shape.low.m();
+        if span > 0.0 {
+            let at = plot.left() + plot.width() * to_f32((median.m() - shape.low.m()) / span);
+            ui.painter().vline(at, plot.y_range(), egui::Stroke::new(1.5, palette.text));
+        }
+    }
+    picture::describe(
+        ui,
+        &response,
+        simulation_title(method),
+        &format!(
+            "Histogram of {} simulated distances from {} to {}, {} of the draws beyond.",
+            distribution.drawn,
+            report::length(Some(shape.low), unit),
+            report::length(Some(shape.high), unit),
+            report::percent(f64::from(shape.beyond) / f64::from(distribution.drawn.max(1)))
+        ),
+    );
+}
+
+/// A share of a width on the screen.
+#[expect(clippy::cast_possible_truncation, reason = "a position on the screen needs no more than an f32")]
+const fn to_f32(share: f64) -> f32 {
+    share as f32
+}

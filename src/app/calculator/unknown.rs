@@ -1,0 +1,69 @@
+//! Solving for another quantity than the distance: which one, and the distance as an input.
+
+use crate::app::command::Command;
+use crate::app::theme;
+use crate::app::widgets::number_field::{self, NumberField};
+use crate::app::widgets::text;
+use crate::core::problem::{Field, Method};
+use crate::core::quantity::LengthUnit;
+use crate::formats::inputs::{Assessment, Inputs};
+use egui::{ComboBox, Ui};
+
+/// What is offered first.
+pub const FIRST: (Method, Field) = (Method::Stereo, Field::Disparity);
+
+const CHOICES: [(Method, Field); 7] = [
+    (Method::Stereo, Field::FocalLength),
+    (Method::Stereo, Field::Baseline),
+    FIRST,
+    (Method::Stereo, Field::Doffs),
+    (Method::Monocular, Field::FocalLength),
+    (Method::Monocular, Field::ImageWidth),
+    (Method::Monocular, Field::RealWidth),
+];
+
+fn name((method, field): (Method, Field)) -> String {
+    format!("{}: {}", method.name(), field.name())
+}
+
+/// Draws the choice and the distance, where something else than the distance is solved for.
+pub fn show(ui: &mut Ui, inputs: &mut Inputs, assessment: &Assessment, height: f32, commands: &mut Vec<Command>) {
+    let Some(before) = inputs.unknown else { return };
+    let mut chosen = Some(before);
+    text::card_heading(ui, "Solve for");
+    ui.spacing_mut().interact_size.y = height;
+    ComboBox::from_id_salt("solve for")
+        .width(ui.available_width())
+        .selected_text(name(before))
+        .show_ui(ui, |ui| {
+            let choices = CHOICES.map(|choice| (Some(choice), name(choice)));
+            for (choice, name) in std::iter::once((None, "Distance (D)".to_owned())).chain(choices) {
+                if ui.selectable_value(&mut chosen, choice, name).clicked() {
+                    ui.close();
+                }
+            }
+        })
+        .response
+        .accessible_name("Solve for");
+    if chosen != inputs.unknown {
+        inputs.unknown = chosen;
+        commands.push(Command::Settle);
+    }
+    ui.add_space(theme::STEP);
+    let unit = inputs.distance.unit.get_or_insert(LengthUnit::Metre);
+    let left = NumberField {
+        name: "Distance (D)",
+        hint: "The distance along the optical axis, now an input.",
+        example: "1.4",
+        unit: number_field::Unit::Choice(unit),
+        sigma: inputs.with_uncertainty.then_some(&mut inputs.distance_sigma),
+    }
+    .show(ui, &mut inputs.distance.text, height);
+    if left {
+        commands.push(Command::Settle);
+    }
+    if let Some(Err(reason)) = assessment.unknown.as_ref().map(|unknown| &unknown.outcome) {
+        text::caption(ui, reason);
+    }
+    ui.add_space(2.0 * theme::STEP);
+}

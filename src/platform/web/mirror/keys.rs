@@ -1,0 +1,73 @@
+//! Who gets a key that is pressed on an element of the mirror: the browser or egui.
+
+use egui::Modifiers;
+
+use super::roles::Kind;
+
+/// What is done with a key.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Route {
+    /// The browser does what it does with that key on such an element.
+    Browser,
+    /// egui is told.
+    Egui {
+        /// Keep the browser from acting on it as well.
+        only: bool,
+    },
+    /// One step up or down.
+    Step(Direction),
+    /// The same as a click.
+    Click,
+}
+
+/// The direction of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Direction {
+    /// To a larger value.
+    Up,
+    /// To a smaller value.
+    Down,
+}
+
+/// Decides about `key`, in the words of `KeyboardEvent.key`.
+pub(crate) fn route(kind: Kind, key: &str, modifiers: Modifiers) -> Route {
+    const SHARED: Route = Route::Egui { only: false };
+    const EGUI: Route = Route::Egui { only: true };
+    // Tab is the browser's, always: that is why nobody is caught.
+    if matches!(
+        key,
+        "Tab" | "Shift" | "Control" | "Alt" | "Meta" | "CapsLock" | "Dead" | "Process" | "Unidentified"
+    ) {
+        return Route::Browser;
+    }
+    let is_function_key = key.len() > 1 && key.starts_with('F') && key.get(1..).is_some_and(|n| n.parse::<u8>().is_ok());
+    if is_function_key {
+        return SHARED;
+    }
+    let chord = modifiers.ctrl || modifiers.alt || modifiers.mac_cmd;
+    if chord {
+        // The same three that eframe keeps from the browser when the canvas has the focus.
+        return match key.to_ascii_lowercase().as_str() {
+            "s" | "o" | "p" | "," if !modifiers.alt => EGUI,
+            "enter" => SHARED,
+            // Copy, paste, undo and moving by words belong to the field.
+            _ if kind.is_text() => Route::Browser,
+            _ => SHARED,
+        };
+    }
+    match (kind, key) {
+        (_, "Escape") => SHARED,
+        (Kind::Lines, _) => Route::Browser,
+        (Kind::Stepper | Kind::Range, "ArrowUp") | (Kind::Range, "ArrowRight") => Route::Step(Direction::Up),
+        (Kind::Stepper | Kind::Range, "ArrowDown") | (Kind::Range, "ArrowLeft") => Route::Step(Direction::Down),
+        (Kind::Range, "Home" | "End" | "PageUp" | "PageDown") => Route::Browser,
+        (Kind::Line | Kind::Stepper, "Enter") => EGUI,
+        (Kind::Line | Kind::Stepper, "ArrowUp" | "ArrowDown" | "PageUp" | "PageDown") => SHARED,
+        (Kind::Line | Kind::Stepper, _) => Route::Browser,
+        (Kind::Button, "Enter" | " ") | (Kind::Check, " ") => Route::Browser,
+        (Kind::Check | Kind::Other, "Enter") | (Kind::Other, " ") => Route::Click,
+        (_, "ArrowUp" | "ArrowDown" | "ArrowLeft" | "ArrowRight" | "Home" | "End" | "PageUp" | "PageDown") => EGUI,
+        (_, "Backspace") => EGUI,
+        _ => SHARED,
+    }
+}
