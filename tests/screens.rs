@@ -116,8 +116,15 @@ impl Program {
     }
 
     fn choose(&mut self, combo: &str, option: &str) {
-        self.press(combo);
-        self.harness.get_by_label_contains(option).click();
+        self.harness.get_by_role_and_label(Role::ComboBox, combo).scroll_to_me();
+        self.harness.run();
+        self.harness.get_by_role_and_label(Role::ComboBox, combo).click();
+        self.harness.run();
+        self.harness
+            .get_all_by_label_contains(option)
+            .find(|node| node.accesskit_node().role() == Role::Button)
+            .unwrap()
+            .click();
         self.harness.run();
     }
 
@@ -508,4 +515,184 @@ fn nothing_is_computed_while_nothing_happens() {
         "{:?}",
         program.harness.ctx.repaint_causes()
     );
+}
+
+/// Types one standard deviation beside a field.
+fn type_sigma(program: &mut Program, field: &str, text: &str) {
+    let name = format!("Uncertainty of {field}");
+    program.harness.get_by_label(&name).scroll_to_me();
+    program.harness.run();
+    program.harness.get_by_label(&name).focus();
+    program.harness.run();
+    program.harness.get_by_label(&name).type_text(text);
+    program.harness.run();
+}
+
+fn mug_with_uncertainty() -> Program {
+    let mut program = Program::new();
+    program.mug();
+    program.press("Add uncertainty");
+    for (field, sigma) in [(FX, "2"), (B, "0.5"), (D, "0.5")] {
+        type_sigma(&mut program, field, sigma);
+    }
+    program
+}
+
+#[test]
+fn a_newcomer_sees_no_uncertainty() {
+    let mut program = Program::new();
+    program.mug();
+    assert!(program.harness.query_by_label_contains("Uncertainty of").is_none());
+    assert!(!program.says("±") && !program.says("variance"));
+}
+
+#[test]
+fn the_mug_with_uncertainty_reads_as_in_the_specification() {
+    let mut program = mug_with_uncertainty();
+    assert!(program.says("1.400 m ± 0.016"), "{}", program.text());
+    assert!(program.says("1.384 … 1.416 m · mostly from disparity (75 %)"));
+    assert!(program.says("Shares of the variance: disparity 75 %, baseline 19 %, focal length 6 %."));
+    program.type_into(W_IMG, "150");
+    program.type_into(W_REAL, "0.30");
+    type_sigma(&mut program, W_IMG, "2");
+    type_sigma(&mut program, W_REAL, "0.01");
+    assert!(program.says("1.400 m ± 0.050") && program.says("1.350 … 1.451 m"));
+    assert!(program.says("1.400 m ± 0.015") && program.says("They agree"));
+}
+
+#[test]
+fn hiding_uncertainty_keeps_what_was_typed() {
+    let mut program = mug_with_uncertainty();
+    program.press("Hide uncertainty");
+    assert!(!program.says("± 0.016"));
+    program.press("Add uncertainty");
+    assert!(program.says("1.400 m ± 0.016"));
+}
+
+#[test]
+fn a_bad_uncertainty_is_named_and_the_distance_stays() {
+    let mut program = Program::new();
+    program.mug();
+    program.press("Add uncertainty");
+    type_sigma(&mut program, D, "-1");
+    assert!(program.says("is negative, which an uncertainty cannot be"));
+    assert!(program.says("1.400 m"));
+}
+
+#[test]
+fn typical_matching_errors_are_offered_with_their_source() {
+    let mut program = Program::new();
+    program.mug();
+    program.press("Add uncertainty");
+    program.choose("Typical matching errors", "± 0.25 px");
+    assert!(program.says("mostly from disparity (100 %)"));
+}
+
+#[test]
+fn where_first_order_fails_a_simulation_stands_beside_it() {
+    let mut program = Program::new();
+    program.mug();
+    program.type_into(D, "1");
+    program.press("Add uncertainty");
+    type_sigma(&mut program, D, "0.8");
+    program.harness.run_steps(16);
+    assert!(program.says("known to worse than 10 %"));
+    assert!(program.says("100000 draws"), "{}", program.text());
+    // About one draw in nine has no positive disparity.
+    assert!(program.says("11 %") && program.says("no upper bound"));
+}
+
+#[test]
+fn one_distance_can_be_solved_for_any_input() {
+    let mut program = Program::new();
+    program.type_into(FX, "700");
+    program.type_into(B, "100");
+    program.press("Solve for another quantity");
+    program.type_into("Distance (D)", "1.4");
+    assert!(program.says("50.00 px"), "{}", program.text());
+    program.choose("Solve for", "Distance (D)");
+    assert!(program.harness.query_by_role_and_label(Role::NumberInput, "Distance (D)").is_none());
+}
+
+#[test]
+fn a_raw_value_of_opencv_becomes_a_disparity() {
+    let mut program = Program::new();
+    program.press("OpenCV ×16, doffs…");
+    program.choose("What is known", "OpenCV StereoBM or StereoSGBM");
+    program.type_into("Stored value", "-16");
+    program.type_into("minDisparity", "0");
+    assert!(program.says("found nothing"));
+    program.type_into("Stored value", "800");
+    program.press("Use d = 50.0000 px");
+    assert_eq!(program.value(D), "50");
+}
+
+#[test]
+fn a_q_matrix_fills_in_camera_and_rig_once_its_unit_is_told() {
+    let mut program = Program::new();
+    program.press("from lens, FOV or Q…");
+    program.choose("What is known", "A Q matrix");
+    program.harness.get_by_label("Q matrix").focus();
+    program.harness.run();
+    program
+        .harness
+        .get_by_label("Q matrix")
+        .type_text("[[1. 0. 0. -610.] [0. 1. 0. -350.] [0. 0. 0. 700.] [0. 0. 0.01 0.4]]");
+    program.harness.run();
+    assert!(program.says("carries no unit"));
+    program.press("100.000 mm");
+    assert_eq!(
+        (program.value(FX), program.value(B), program.unit(B)),
+        ("700".into(), "100".into(), "mm".into())
+    );
+    assert_eq!(program.value("Principal point offset (doffs)"), "40");
+    program.type_into(D, "50");
+    assert!(program.says("0.7778 m"), "{}", program.text());
+}
+
+#[test]
+fn depth_and_range_differ_away_from_the_middle() {
+    let mut program = Program::new();
+    program.mug();
+    program.press("Range, tilt, ground plane");
+    for (field, value) in [
+        ("Principal point cx", "0"),
+        ("Column of the pixel (u)", "700"),
+        ("Row of the pixel (v)", "0"),
+    ] {
+        program.type_into(field, value);
+    }
+    // The row of the principal point is asked for twice, here and for the ground plane: one value.
+    let rows: Vec<_> = program
+        .harness
+        .get_all_by_role_and_label(Role::NumberInput, "Principal point cy")
+        .collect();
+    rows[0].focus();
+    drop(rows);
+    program.harness.run();
+    program.harness.event(egui::Event::Text("0".into()));
+    program.harness.run();
+    // 45° off the axis: R = √2 · Z.
+    assert!(program.says("1.980 m"), "{}", program.text());
+}
+
+#[test]
+fn the_question_mark_lists_the_keys() {
+    let mut program = Program::new();
+    program.press("Learn");
+    program.harness.event(egui::Event::Text("?".into()));
+    program.harness.run();
+    assert!(program.says("Step ten times as far"));
+    program.harness.key_press(Key::Escape);
+    program.harness.run();
+    assert!(!program.says("Step ten times as far"));
+}
+
+#[test]
+fn focus_out_of_sight_is_scrolled_into_view() {
+    let mut program = Program::on(Machine::default(), PHONE);
+    program.harness.get_by_label("Copy Results").focus();
+    program.harness.run();
+    let rect = program.harness.get_by_label("Copy Results").rect();
+    assert!(rect.bottom() < PHONE.y - 60.0, "{rect:?}");
 }

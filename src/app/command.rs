@@ -29,6 +29,8 @@ pub enum Command {
     DragDisparity(f64),
     /// An edit is complete: a drag ended, a field was left.
     Settle,
+    /// Show or hide the list of keys.
+    ListKeys(bool),
     /// Open a helper, or close the one that is open.
     Help(Option<Helper>),
     /// The principal point became known, cx and cy.

@@ -5,6 +5,7 @@ mod command;
 mod learn;
 mod saved;
 mod sheet;
+mod shortcuts;
 mod theme;
 mod widgets;
 
@@ -14,7 +15,7 @@ use crate::formats::{link, number, report};
 use calculator::Calculator;
 use command::Command;
 use egui::accesskit::Role;
-use egui::{Align, Button, CentralPanel, Frame, Key, Margin, Modifiers, Panel, RichText, Stroke, ThemePreference, Ui, UiBuilder, vec2};
+use egui::{Align, Button, CentralPanel, Frame, Margin, Panel, RichText, Stroke, ThemePreference, Ui, UiBuilder, vec2};
 use learn::Learn;
 use saved::{Saved, Screen, Settings};
 use sheet::Sheet;
@@ -41,6 +42,11 @@ pub trait Platform {
     /// The outcome of the last [`Self::copy`], once.
     fn copied(&mut self) -> Option<Result<(), String>>;
 
+    /// Whether another tab or window has stored something since the last call.
+    fn stored_elsewhere(&mut self) -> bool {
+        false
+    }
+
     /// The part behind the `#` of a link that was followed to the program, once.
     fn link(&mut self) -> Option<String> {
         None
@@ -65,6 +71,7 @@ pub struct App {
     calculator: Calculator,
     learn: Learn,
     notice: Option<Notice>,
+    lists_keys: bool,
     pending: Vec<Command>,
 }
 
@@ -105,6 +112,7 @@ impl App {
             calculator: Calculator::default(),
             learn: Learn::default(),
             notice,
+            lists_keys: false,
             pending: Vec::new(),
         };
         app.focus_first_field(ctx);
@@ -175,6 +183,7 @@ impl App {
                 ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(field)));
             }
             Command::DragDisparity(disparity) => self.sheet.inputs.entry_mut(Field::Disparity).text = number::plain(disparity),
+            Command::ListKeys(shown) => self.lists_keys = shown,
             Command::Help(helper) => self.calculator.helper = helper,
             Command::PrincipalPoint(cx, cy) => calculator::geometry::set_principal_point(&mut self.settings.texts, cx, cy),
             Command::ShowGeometry(shown) => self.settings.shows_geometry = shown,
@@ -231,22 +240,6 @@ impl App {
             self.say(&format!("{reason} What you enter now may be gone after a restart."), None);
         }
     }
-
-    fn shortcuts(&self, ctx: &egui::Context) -> Option<Command> {
-        // While a field is edited, undo belongs to its text.
-        if ctx.text_edit_focused() {
-            return None;
-        }
-        ctx.input_mut(|input| {
-            if input.consume_key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z) || input.consume_key(Modifiers::COMMAND, Key::Y) {
-                Some(Command::Redo)
-            } else if input.consume_key(Modifiers::COMMAND, Key::Z) {
-                Some(Command::Undo)
-            } else {
-                None
-            }
-        })
-    }
 }
 
 impl eframe::App for App {
@@ -265,6 +258,12 @@ impl eframe::App for App {
             Some(Err(reason)) => self.say(&reason, None),
             None => {}
         }
+        if self.platform.stored_elsewhere() {
+            self.say(
+                "Another tab changed what is stored. Both go on; what is changed last is what a reload brings back.",
+                None,
+            );
+        }
         if self.calculator.simulate(self.sheet.assessment()) {
             ctx.request_repaint();
         }
@@ -274,7 +273,7 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let layout = Layout::of_width(ui.available_width());
         let palette = theme::palette(ui);
-        let mut commands = Vec::from_iter(self.shortcuts(ui.ctx()));
+        let mut commands = Vec::from_iter(shortcuts::pressed(ui.ctx()));
         ui.spacing_mut().interact_size.y = layout.control_height();
 
         let bar = |vertical| {
@@ -313,6 +312,9 @@ impl eframe::App for App {
                 });
             });
         });
+        if self.lists_keys {
+            shortcuts::list(ui, layout, &mut commands);
+        }
         if !commands.is_empty() {
             self.pending.append(&mut commands);
             ui.ctx().request_repaint();
@@ -367,6 +369,10 @@ fn navigation(ui: &mut Ui, layout: Layout, screen: Screen, theme_preference: The
         }
         ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| {
             theme_choice(ui, layout, theme_preference, commands);
+            let keys = Button::new("?").min_size(vec2(layout.control_height(), layout.control_height()));
+            if ui.add(keys).accessible_name("Keys").clicked() {
+                commands.push(Command::ListKeys(true));
+            }
         });
     });
     if layout == Layout::Phone {

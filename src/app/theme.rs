@@ -241,6 +241,8 @@ fn set_style(style: &mut egui::Style, palette: &Palette) {
     style.spacing.item_spacing = vec2(2.0 * STEP, STEP);
     style.spacing.button_padding = vec2(3.0 * STEP, STEP);
     style.spacing.interact_size = vec2(CONTROL_HEIGHT, CONTROL_HEIGHT);
+    // Menus show all their choices where the window allows.
+    style.spacing.combo_height = 440.0;
     style.spacing.menu_margin = Margin::same(6);
     style.spacing.scroll = egui::style::ScrollStyle::thin();
     style.interaction.selectable_labels = true;

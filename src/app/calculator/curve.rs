@@ -160,9 +160,6 @@ impl Curve {
         if handle.drag_stopped() || handle.lost_focus() {
             commands.push(Command::Settle);
         }
-        if handle.gained_focus() {
-            handle.scroll_to_me(None);
-        }
         handle.on_hover_cursor(CursorIcon::Grab);
     }
 }

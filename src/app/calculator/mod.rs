@@ -15,11 +15,11 @@ use super::command::Command;
 use super::saved::Settings;
 use super::sheet::Sheet;
 use super::theme::{self, Layout};
-use super::widgets::{cards, text};
+use super::widgets::{cards, scroll, text};
 use crate::core::quantity::LengthUnit;
 use crate::formats::inputs::Assessment;
 use crate::formats::report;
-use egui::{Align, Id, RichText, ScrollArea, Ui};
+use egui::{Align, Id, RichText, Ui};
 
 /// What the screen remembers between frames beside the inputs.
 #[derive(Debug, Default)]
@@ -40,7 +40,7 @@ impl Calculator {
         let gap = layout.gap();
         match layout {
             Layout::Phone => {
-                page_scroll(ui, "calculator", |ui| {
+                scroll::column(ui, "calculator", |ui| {
                     ui.spacing_mut().item_spacing.y = gap;
                     self.form(ui, layout, sheet, settings, commands);
                     self.results(ui, layout, sheet, settings, commands);
@@ -53,7 +53,7 @@ impl Calculator {
                 let column = |ui: &mut Ui, rect, id, add_contents: &mut dyn FnMut(&mut Ui)| {
                     let top_down = egui::Layout::top_down(Align::Min);
                     ui.scope_builder(egui::UiBuilder::new().max_rect(rect).layout(top_down), |ui| {
-                        page_scroll(ui, id, |ui| {
+                        scroll::column(ui, id, |ui| {
                             ui.spacing_mut().item_spacing.y = gap;
                             add_contents(ui);
                         });
@@ -159,14 +159,6 @@ impl Card {
             Self::TopView => top_view::TITLE,
         }
     }
-}
-
-/// A column that scrolls on its own.
-fn page_scroll(ui: &mut Ui, id: &str, add_contents: impl FnOnce(&mut Ui)) {
-    ScrollArea::vertical()
-        .id_salt(id)
-        .auto_shrink([false, false])
-        .show(ui, add_contents);
 }
 
 fn intermediate(ui: &mut Ui, assessment: &Assessment) {

@@ -4,9 +4,10 @@ mod markdown;
 
 use super::command::Command;
 use super::theme::{self, Layout};
+use super::widgets::scroll;
 use crate::formats::inputs::Inputs;
 use crate::formats::link;
-use egui::{ScrollArea, Ui};
+use egui::Ui;
 use markdown::Document;
 
 /// The text, shown here and built into the site's own page.
@@ -30,7 +31,7 @@ impl Learn {
     /// Draws the screen. A link to an example adds the command that opens it.
     pub fn show(&self, ui: &mut Ui, layout: Layout, commands: &mut Vec<Command>) {
         let mut followed = None;
-        ScrollArea::vertical().id_salt("learn").auto_shrink([false, false]).show(ui, |ui| {
+        scroll::column(ui, "learn", |ui| {
             ui.vertical_centered(|ui| {
                 ui.set_max_width(ui.available_width().min(theme::TEXT_WIDTH + 2.0 * theme::GAP));
                 ui.with_layout(egui::Layout::top_down(egui::Align::Min), |ui| {

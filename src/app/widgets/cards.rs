@@ -6,7 +6,10 @@ use egui::{Id, Ui, UiBuilder, accesskit::Role, vec2};
 
 /// A card over the full width, with a heading, as a region that assistive technology can jump to.
 pub fn card(ui: &mut Ui, title: &str, add_contents: impl FnOnce(&mut Ui)) {
-    let builder = UiBuilder::new().accessibility_role(Role::Region).accessibility_label(title);
+    let builder = UiBuilder::new()
+        .id_salt(title)
+        .accessibility_role(Role::Region)
+        .accessibility_label(title);
     ui.scope_builder(builder, |ui| {
         theme::card(theme::palette(ui)).show(ui, |ui| {
             ui.set_width(ui.available_width());

@@ -4,5 +4,6 @@ pub mod cards;
 pub mod number_field;
 pub mod picture;
 pub mod quantity_field;
+pub mod scroll;
 pub mod table;
 pub mod text;

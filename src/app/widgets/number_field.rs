@@ -6,7 +6,7 @@ use crate::app::theme;
 use crate::core::quantity::LengthUnit;
 use crate::formats::number;
 use egui::accesskit::Role;
-use egui::{Align2, Id, RichText, TextEdit, Ui, vec2};
+use egui::{Align2, RichText, TextEdit, Ui, vec2};
 
 /// What the number counts.
 #[derive(Debug)]
@@ -51,7 +51,7 @@ impl NumberField<'_> {
                     .margin(egui::Margin::symmetric(10, 4))
             };
             let response = field(typed)
-                .id(Id::unique(("number field", self.name)))
+                .id(ui.scope_id().with(("number field", self.name)))
                 .hint_text(RichText::new(format!("e.g. {}", self.example)).color(palette.muted))
                 .desired_width(width)
                 .min_size(vec2(width, height))
@@ -64,9 +64,6 @@ impl NumberField<'_> {
                 node.set_description(self.hint);
             });
             left |= response.lost_focus();
-            if response.gained_focus() {
-                response.scroll_to_me(None);
-            }
             match self.unit {
                 Unit::Fixed(unit) => {
                     let (rect, _) = ui.allocate_exact_size(vec2(UNIT_WIDTH, height), egui::Sense::hover());
@@ -84,7 +81,7 @@ impl NumberField<'_> {
             }
             if let Some(sigma) = self.sigma {
                 let response = field(sigma)
-                    .id(Id::unique(("uncertainty of number field", self.name)))
+                    .id(ui.scope_id().with(("uncertainty", self.name)))
                     .prefix(RichText::new("±").color(palette.muted))
                     .hint_text(RichText::new("none").color(palette.muted))
                     .desired_width(SIGMA_WIDTH)

@@ -50,6 +50,7 @@ pub fn show(ui: &mut Ui, inputs: &mut Inputs, field: Field, around: Around<'_>, 
     );
     let name = ui
         .allocate_ui_with_layout(line, egui::Layout::left_to_right(Align::Center), |ui| {
+            ui.spacing_mut().interact_size.y = line.y;
             let name = ui.label(
                 RichText::new(field.name())
                     .font(theme::strong(theme::BODY_SIZE))
@@ -57,9 +58,8 @@ pub fn show(ui: &mut Ui, inputs: &mut Inputs, field: Field, around: Around<'_>, 
             );
             if let Some((helper, link)) = around.helper {
                 ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| {
-                    let height = if height >= theme::CONTROL_HEIGHT_TOUCH { height } else { 20.0 };
                     let link = Button::new(RichText::new(link).size(theme::SMALL_SIZE).color(palette.blue)).frame(false);
-                    if ui.add(link.min_size(vec2(0.0, height))).clicked() {
+                    if ui.add(link.min_size(vec2(0.0, line.y))).clicked() {
                         commands.push(Command::Help(Some(helper)));
                     }
                 });
@@ -154,7 +154,6 @@ fn text_field(
         }
     });
     if response.gained_focus() {
-        response.scroll_to_me(None);
         // As in a form of the browser: arriving by keyboard selects, so that typing replaces.
         if ui.input(|input| input.key_pressed(Key::Tab)) {
             let mut state = output.state;
@@ -214,9 +213,6 @@ fn sigma_field(ui: &mut Ui, inputs: &mut Inputs, field: Field, note: Option<&Not
     });
     if response.changed() {
         inputs.set_sigma(field, text);
-    }
-    if response.gained_focus() {
-        response.scroll_to_me(None);
     }
     if response.lost_focus() {
         commands.push(Command::Settle);

@@ -1,6 +1,6 @@
 //! The browser as the machine that the program runs on.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 use wasm_bindgen::{JsCast as _, JsValue};
@@ -9,6 +9,16 @@ use crate::app::Platform;
 
 /// Where the state is stored. The number is the version of the form; one origin may serve several programs.
 const STORAGE_KEY: &str = "depth-calculator/v1";
+
+thread_local! {
+    /// Another tab has stored something. The browser says so through an event.
+    static FOREIGN_CHANGE: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Notes that another tab has stored something.
+pub(super) fn note_foreign_change() {
+    FOREIGN_CHANGE.set(true);
+}
 
 /// Stores in the browser's local storage and copies to the clipboard.
 #[derive(Default)]
@@ -55,6 +65,10 @@ impl Platform for Browser {
 
     fn copied(&mut self) -> Option<Result<(), String>> {
         self.copied.take()
+    }
+
+    fn stored_elsewhere(&mut self) -> bool {
+        FOREIGN_CHANGE.take()
     }
 
     fn link(&mut self) -> Option<String> {

@@ -53,7 +53,7 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
                 if let Err(error) = mirror::Mirror::install(&creation.egui_ctx, &mirrored) {
                     log::error!("The page works, but not with a screen reader: {}", browser::sentence(&error));
                 }
-                wake_on_link(&creation.egui_ctx);
+                listen(&creation.egui_ctx, &mirrored);
                 Ok(Box::new(App::new(creation, Box::new(Browser::default()))))
             }),
         )
@@ -61,19 +61,39 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
         .map_err(|error| browser::sentence(&error))
 }
 
-/// A link followed within the page changes only its fragment: the program has to be woken to read it.
-fn wake_on_link(ctx: &egui::Context) {
-    let ctx = ctx.clone();
-    let wake = Closure::<dyn FnMut()>::new(move || ctx.request_repaint());
-    if let Some(window) = web_sys::window()
-        && window
-            .add_event_listener_with_callback("hashchange", wake.as_ref().unchecked_ref())
-            .is_err()
-    {
-        log::warn!("Links to examples work only after a reload.");
+/// Listens to what the browser says and eframe does not hear, as long as the page lives.
+fn listen(ctx: &egui::Context, canvas: &web_sys::HtmlCanvasElement) {
+    let Some(window) = web_sys::window() else { return };
+    // A link followed within the page changes only its fragment: the program has to be woken to read it.
+    let waking = ctx.clone();
+    on(&window, "hashchange", move || waking.request_repaint());
+    let waking = ctx.clone();
+    on(&window, "storage", move || {
+        browser::note_foreign_change();
+        waking.request_repaint();
+    });
+    on(canvas, "webglcontextlost", || {
+        page::show_failure(
+            "The browser took the graphics away from this page, as it does when memory is short or the graphics driver restarts.",
+            "Reload the page to go on.",
+            "webglcontextlost",
+        );
+    });
+    let still = window.match_media("(prefers-reduced-motion: reduce)").ok().flatten();
+    if still.is_some_and(|query| query.matches()) {
+        ctx.all_styles_mut(|style| style.animation_time = 0.0);
     }
-    // Listens as long as the page lives.
-    wake.forget();
+}
+
+fn on(target: &web_sys::EventTarget, event: &str, act: impl FnMut() + 'static) {
+    let listener = Closure::<dyn FnMut()>::new(act);
+    if target
+        .add_event_listener_with_callback(event, listener.as_ref().unchecked_ref())
+        .is_err()
+    {
+        log::warn!("The page cannot listen to {event}.");
+    }
+    listener.forget();
 }
 
 fn options() -> eframe::WebOptions {

@@ -1,0 +1,97 @@
+//! What the mathematics costs: `cargo bench --bench core`.
+#![allow(clippy::unwrap_used, missing_docs, reason = "a measurement")]
+
+use depth_calculator::core::measured::Measured;
+use depth_calculator::core::monte_carlo::MonteCarlo;
+use depth_calculator::core::problem::{Field, Problem};
+use depth_calculator::core::uncertainty::Model;
+use depth_calculator::formats::inputs::{Example, Inputs};
+use depth_calculator::formats::number;
+use divan::{Bencher, black_box, counter::ItemsCount};
+
+fn main() {
+    divan::main();
+}
+
+/// The stereo example with both methods complete.
+fn problem() -> Problem {
+    let mut problem = Problem::default();
+    for (field, value) in [
+        (Field::FocalLength, 700.0),
+        (Field::Baseline, 0.1),
+        (Field::Disparity, 50.0),
+        (Field::ImageWidth, 150.0),
+        (Field::RealWidth, 0.3),
+    ] {
+        problem.set(field, Some(value));
+    }
+    problem
+}
+
+#[divan::bench]
+fn solve_without_sigma(bencher: Bencher) {
+    let problem = problem();
+    assert!(problem.solve().monocular_known.is_none(), "nothing is known about the uncertainty");
+    bencher.bench(|| black_box(&problem).solve());
+}
+
+#[divan::bench]
+fn solve_with_sigma(bencher: Bencher) {
+    let mut problem = problem();
+    for field in Field::ALL {
+        problem.sigmas.set(field, problem.get(field).map(|value| 0.01 * value));
+    }
+    assert!(problem.solve().together.is_some(), "both methods have an uncertainty");
+    bencher.bench(|| black_box(&problem).solve());
+}
+
+/// From the texts of the whole form to everything that is computed and said about them.
+#[divan::bench]
+fn assess_a_form(bencher: Bencher) {
+    let inputs = form();
+    bencher.bench(|| black_box(&inputs).assess());
+}
+
+fn form() -> Inputs {
+    let mut inputs = Example::CoffeeMug.inputs();
+    inputs.entry_mut(Field::ImageWidth).text = "150".into();
+    inputs.entry_mut(Field::RealWidth).text = "0.3".into();
+    inputs.with_uncertainty = true;
+    for field in Field::ALL {
+        inputs.set_sigma(field, "1 %");
+    }
+    assert!(inputs.assess().solution.together.is_some(), "the form is complete");
+    inputs
+}
+
+const DRAWS: u32 = 10_000;
+
+fn model() -> Model {
+    let exact = Measured::exact(0.0);
+    Model::stereo(Measured::new(700.0, 5.0), Measured::new(0.1, 1e-3), Measured::new(50.0, 0.5), exact).unwrap()
+}
+
+/// The counter gives draws per second.
+#[divan::bench]
+fn monte_carlo_draws(bencher: Bencher) {
+    bencher
+        .counter(ItemsCount::new(DRAWS))
+        .with_inputs(|| MonteCarlo::new(model(), 1))
+        .bench_values(|mut experiment| {
+            experiment.draw(DRAWS);
+            experiment
+        });
+}
+
+/// Sorting, quantiles and histogram of the largest experiment that the program makes.
+#[divan::bench(sample_count = 20)]
+fn monte_carlo_finish_100_000(bencher: Bencher) {
+    let mut experiment = MonteCarlo::new(model(), 1);
+    experiment.draw(100_000);
+    bencher.with_inputs(|| experiment.clone()).bench_values(MonteCarlo::finish);
+}
+
+#[divan::bench(args = ["700", "0,1", "10 cm", "1.234,5", "1,000", "twelve"])]
+fn read_a_number(text: &str) -> bool {
+    number::read(black_box(text)).is_ok()
+}

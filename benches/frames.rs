@@ -1,0 +1,205 @@
+//! What a frame costs, from input to triangles (drawing them is the graphics card's): `cargo bench --bench frames`.
+//!
+//! The screen is the busiest: the calculator with both methods, the uncertainty of every input, and range, tilt and
+//! ground plane. Accessibility is switched on, as it is on the web page. Aim: at most 2 ms.
+#![allow(clippy::unwrap_used, missing_docs, reason = "a measurement")]
+
+use depth_calculator::app::{App, Platform};
+use depth_calculator::core::problem::Field;
+use depth_calculator::formats::inputs::{Example, Inputs};
+use divan::Bencher;
+use eframe::App as _;
+use egui::accesskit::{Action, ActionRequest, NodeId, Role, TreeId};
+use egui::{ClippedPrimitive, Event, Key, Modifiers, Pos2, RawInput, Rect, Vec2, vec2};
+use serde_json::json;
+
+const DESKTOP: Vec2 = vec2(1280.0, 900.0);
+const PHONE: Vec2 = vec2(390.0, 844.0);
+/// More than the frames that a simulation takes.
+const FRAMES_TO_REST: usize = 60;
+
+fn main() {
+    divan::main();
+}
+
+/// A machine that has stored `state`, and stores nothing.
+struct Machine {
+    state: Option<String>,
+}
+
+impl Platform for Machine {
+    fn load(&self) -> Result<Option<String>, String> {
+        Ok(self.state.clone())
+    }
+    fn save(&mut self, _text: &str) -> Result<(), String> {
+        Ok(())
+    }
+    fn copy(&mut self, _ctx: &egui::Context, _text: String) {}
+    fn copied(&mut self) -> Option<Result<(), String>> {
+        None
+    }
+}
+
+/// The form filled in, each input known to `sigma`.
+fn filled(sigma: &str) -> String {
+    let mut inputs: Inputs = Example::CoffeeMug.inputs();
+    inputs.entry_mut(Field::ImageWidth).text = "150".into();
+    inputs.entry_mut(Field::RealWidth).text = "0.3".into();
+    inputs.with_uncertainty = true;
+    for field in Field::ALL {
+        inputs.set_sigma(field, sigma);
+    }
+    let texts = json!({
+        "Principal point cx": "640", "Principal point cy": "360", "Column of the pixel (u)": "900", "Row of the pixel (v)": "500",
+        "Tilt of the target": "20", "Height of the camera": "1.5", "Pitch of the camera, downwards": "10", "Row of the point on the floor": "620",
+    });
+    json!({
+        "version": 1, "inputs": inputs, "result_unit": "m", "theme": "light", "screen": "calculator", "shows_geometry": true, "texts": texts,
+    })
+    .to_string()
+}
+
+struct Program {
+    ctx: egui::Context,
+    app: App,
+    frame: eframe::Frame,
+    size: Vec2,
+    disparity: Option<NodeId>,
+    texts: Vec<String>,
+}
+
+impl Program {
+    fn start(state: Option<String>, size: Vec2) -> Self {
+        let ctx = egui::Context::default();
+        ctx.enable_accesskit();
+        let cc = eframe::CreationContext::_new_kittest(ctx.clone());
+        let app = App::new(&cc, Box::new(Machine { state }));
+        Self {
+            ctx,
+            app,
+            frame: eframe::Frame::_new_kittest(),
+            size,
+            disparity: None,
+            texts: Vec::new(),
+        }
+    }
+
+    fn frame(&mut self, events: Vec<Event>) -> Vec<ClippedPrimitive> {
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, self.size)),
+            events,
+            ..Default::default()
+        };
+        let ctx = self.ctx.clone();
+        let output = ctx.run_ui(input, |ui| {
+            self.app.logic(ui.ctx(), &mut self.frame);
+            self.app.ui(ui, &mut self.frame);
+        });
+        let triangles = ctx.tessellate(output.shapes, output.pixels_per_point);
+        let update = output.platform_output.accesskit_update.unwrap();
+        let field = |(id, node): &(NodeId, egui::accesskit::Node)| {
+            (node.role() == Role::NumberInput && node.label() == Some("Disparity")).then_some(*id)
+        };
+        if self.disparity.is_none() {
+            self.disparity = update.nodes.iter().find_map(field);
+            self.texts = update
+                .nodes
+                .iter()
+                .filter_map(|(_, node)| node.label().map(str::to_owned))
+                .collect();
+        }
+        triangles
+    }
+
+    /// At rest with everything shown.
+    fn busy(sigma: &str, size: Vec2) -> Self {
+        let mut program = Self::start(Some(filled(sigma)), size);
+        for _ in 0..FRAMES_TO_REST {
+            program.frame(Vec::new());
+        }
+        assert!(
+            program.texts.iter().any(|text| text == "Height of the camera"),
+            "the geometry is shown"
+        );
+        program
+    }
+
+    /// With the disparity under the keyboard.
+    fn typing(sigma: &str, size: Vec2) -> Self {
+        let mut program = Self::busy(sigma, size);
+        let request = ActionRequest {
+            action: Action::Focus,
+            target_tree: TreeId::ROOT,
+            target_node: program.disparity.unwrap(),
+            data: None,
+        };
+        program.frame(vec![Event::AccessKitActionRequest(request)]);
+        program.frame(Vec::new());
+        program
+    }
+
+    /// A frame in which the disparity becomes larger (`up`) or smaller by one step.
+    fn step(&mut self, up: bool) -> Vec<ClippedPrimitive> {
+        let event = Event::Key {
+            key: if up { Key::ArrowUp } else { Key::ArrowDown },
+            physical_key: None,
+            pressed: true,
+            repeat: false,
+            modifiers: Modifiers::NONE,
+        };
+        self.frame(vec![event])
+    }
+}
+
+/// Nothing has changed since the frame before.
+#[divan::bench(args = ["desktop", "phone"])]
+fn unchanged(bencher: Bencher, screen: &str) {
+    let mut program = Program::busy("1 %", size(screen));
+    bencher.bench_local(|| program.frame(Vec::new()));
+}
+
+/// The disparity changes, and with it every number and picture.
+#[divan::bench(args = ["desktop", "phone"])]
+fn changed(bencher: Bencher, screen: &str) {
+    let mut program = Program::typing("1 %", size(screen));
+    let mut up = false;
+    bencher.bench_local(|| {
+        up = !up;
+        program.step(up)
+    });
+}
+
+/// The same where the distances are so uncertain that two simulations start anew and go on.
+#[divan::bench(args = ["desktop", "phone"])]
+fn changed_and_simulated(bencher: Bencher, screen: &str) {
+    let mut program = Program::typing("20 %", size(screen));
+    let mut up = false;
+    let mut frames = 0_u32;
+    bencher.bench_local(|| {
+        frames += 1;
+        if frames.is_multiple_of(FRAMES_OF_A_STEP) {
+            up = !up;
+            program.step(up)
+        } else {
+            program.frame(Vec::new())
+        }
+    });
+}
+
+/// A simulation goes on for eight of ten frames.
+const FRAMES_OF_A_STEP: u32 = 10;
+
+/// From nothing to the first frame, fonts and all: what starting costs besides downloading and compiling.
+#[divan::bench(args = ["empty", "filled"])]
+fn start_to_first_frame(bencher: Bencher, form: &str) {
+    bencher
+        .with_inputs(|| (form == "filled").then(|| filled("1 %")))
+        .bench_local_values(|state| {
+            let mut program = Program::start(state, DESKTOP);
+            (program.frame(Vec::new()), program)
+        });
+}
+
+fn size(screen: &str) -> Vec2 {
+    if screen == "phone" { PHONE } else { DESKTOP }
+}

@@ -1,0 +1,76 @@
+//! The keys that the program knows, and the list of them that `?` shows.
+
+use super::command::Command;
+use super::theme::{self, Layout};
+use super::widgets::table::{Cell, row, table};
+use super::widgets::text;
+use egui::accesskit::Role;
+use egui::text::LayoutJob;
+use egui::{Button, Event, Key, Modal, Modifiers, Ui, vec2};
+
+const KEYS: [(&str, &str); 9] = [
+    ("Tab, Shift + Tab", "Next field or button, and the one before"),
+    ("Enter", "Calculate: marks what is missing and goes there"),
+    ("↑ ↓", "Step the field, or the point on the curve"),
+    ("Shift + ↑ ↓", "Step ten times as far"),
+    ("Ctrl + Z", "Undo (⌘ Z on a Mac)"),
+    ("Ctrl + Shift + Z", "Redo"),
+    ("Alt + 1, Alt + 2", "Calculator, Learn"),
+    ("Esc, then Tab", "Leave the program for the rest of the page"),
+    ("?", "This list"),
+];
+
+/// The command of a key that was pressed while no text is edited.
+pub fn pressed(ctx: &egui::Context) -> Option<Command> {
+    use super::saved::Screen;
+    let screen = ctx.input_mut(|input| {
+        [(Key::Num1, Screen::Calculator), (Key::Num2, Screen::Learn)]
+            .into_iter()
+            .find_map(|(key, screen)| input.consume_key(Modifiers::ALT, key).then_some(Command::Show(screen)))
+    });
+    // While a field is edited, undo belongs to its text, and a question mark is text.
+    if screen.is_some() || ctx.text_edit_focused() {
+        return screen;
+    }
+    ctx.input_mut(|input| {
+        if input.consume_key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z) || input.consume_key(Modifiers::COMMAND, Key::Y) {
+            Some(Command::Redo)
+        } else if input.consume_key(Modifiers::COMMAND, Key::Z) {
+            Some(Command::Undo)
+        } else if input.events.iter().any(|event| matches!(event, Event::Text(text) if text == "?")) {
+            Some(Command::ListKeys(true))
+        } else {
+            None
+        }
+    })
+}
+
+/// The list, over the screen.
+pub fn list(ui: &Ui, layout: Layout, commands: &mut Vec<Command>) {
+    let palette = theme::palette(ui);
+    let response = Modal::new(egui::Id::unique("keys"))
+        .frame(theme::card(palette))
+        .show(ui.ctx(), |ui| {
+            ui.set_width((ui.ctx().content_rect().width() - 72.0).min(460.0));
+            text::heading(ui, "Keys", 2, theme::strong(17.0), palette.text);
+            table(ui, "Keys", |ui| {
+                for (keys, what) in KEYS {
+                    let cell = |text: &str, font, role| Cell {
+                        text: LayoutJob::simple(text.to_owned(), font, palette.text, 0.0),
+                        role,
+                        align_right: false,
+                    };
+                    let cells = vec![
+                        cell(keys, theme::strong(theme::BODY_SIZE), Role::RowHeader),
+                        cell(what, theme::regular(theme::BODY_SIZE), Role::Cell),
+                    ];
+                    row(ui, cells, &[1.0, 1.6]);
+                }
+            });
+            ui.add_space(2.0 * theme::STEP);
+            ui.add(Button::new("Close").min_size(vec2(96.0, layout.control_height()))).clicked()
+        });
+    if response.inner || response.should_close() {
+        commands.push(Command::ListKeys(false));
+    }
+}
