@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::step::{command, output, root, run, step};
-use crate::tools;
+use crate::{site, tools};
 
 /// Builds the page and prints the size of every file.
 pub(crate) fn print() -> Result<(), String> {
@@ -51,6 +51,7 @@ pub(crate) fn build() -> Result<PathBuf, String> {
         run(trunk.env("PATH", &path).env_remove("NO_COLOR"))?;
         let dist = root().join("dist");
         write_program_size(&dist)?;
+        site::build(&dist)?;
         Ok(dist)
     })
 }
@@ -75,7 +76,8 @@ fn write_program_size(dist: &Path) -> Result<(), String> {
         .map_err(|error| format!("dist/index.html cannot be written: {error}."))
 }
 
-fn collect_files(folder: &Path, files: &mut Vec<PathBuf>) -> std::io::Result<()> {
+/// Adds the files in `folder` and below to `files`.
+pub(crate) fn collect_files(folder: &Path, files: &mut Vec<PathBuf>) -> std::io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
         if path.is_dir() {

@@ -3,7 +3,10 @@
 mod browsers;
 mod check;
 mod dist;
+mod lighthouse;
 mod serve;
+mod site;
+mod size;
 mod step;
 mod test;
 mod tools;
@@ -17,6 +20,8 @@ Builds, serves and tests Depth Calculator. Every command sets up what it needs f
   cargo xtask test                  all tests, also those in a real browser
   cargo xtask check                 formatting, lints, and that the mathematics builds alone
   cargo xtask dist                  build the page into dist/, for any static host
+  cargo xtask size                  what a first visit downloads, against its budget
+  cargo xtask lighthouse            what Lighthouse says about the page, against its floors
 
 The desktop program needs none of them: cargo run --release
 ";
@@ -39,6 +44,8 @@ fn main() -> ExitCode {
         ["test"] => test::run_all(),
         ["check"] => check::run_all(),
         ["dist"] => dist::print(),
+        ["size"] => size::run(),
+        ["lighthouse"] => lighthouse::audit(),
         other => Err(format!("There is no command \"{}\".\n\n{HELP}", other.join(" "))),
     };
     match outcome {

@@ -13,14 +13,7 @@ const TRUNK_VERSION: &str = "0.21.14";
 pub(crate) fn set_up() -> Result<OsString, String> {
     add_target()?;
     let path = path_with_tools()?;
-    install(
-        "trunk",
-        "trunk",
-        TRUNK_VERSION,
-        &["--locked"],
-        "about 4 minutes on two cores",
-        &path,
-    )?;
+    install("trunk", "trunk", TRUNK_VERSION, &["--locked"], "4 to 7 minutes on two cores", &path)?;
     // Trunk refuses a tool that is not of exactly the library's version. With --locked it does not install.
     let version = locked_version("wasm-bindgen")?;
     install(

@@ -1,0 +1,82 @@
+// Keeps this build of the page on the computer, so that it opens without a network and at once.
+// `cargo xtask dist` fills in which build it is and which files it has.
+
+const BUILD = '';
+const FILES = [];
+
+/** Several sites, and several copies of this one, may share an origin and so its caches. */
+const OURS = `depth-calculator ${registration.scope} `;
+const CACHE = OURS + BUILD;
+/** After that, the page that was kept is better than none. */
+const PATIENCE_MS = 4000;
+
+const address = (name) => new URL(name, registration.scope).href;
+const ADDRESSES = new Set(FILES.map(address));
+/** Where the pages are kept, by where they are asked for. */
+const PAGES = new Map([
+  [address('./'), address('./')],
+  [address('index.html'), address('./')],
+  [address('learn.html'), address('learn.html')],
+]);
+
+async function kept(url) {
+  const cache = await caches.open(CACHE);
+  return cache.match(url, { ignoreVary: true });
+}
+
+async function keep(name) {
+  // Asks whether what the browser still has is up to date.
+  const answer = await fetch(address(name), { cache: 'no-cache' });
+  if (!answer.ok) throw new Error(`${name}: HTTP status ${answer.status}`);
+  // Browsers refuse a page that came by a redirection.
+  const copy = answer.redirected ? new Response(await answer.blob(), { headers: answer.headers }) : answer;
+  const cache = await caches.open(CACHE);
+  await cache.put(address(name), copy);
+}
+
+async function forgetOtherBuilds() {
+  const others = (await caches.keys()).filter((name) => name.startsWith(OURS) && name !== CACHE);
+  await Promise.all(others.map((name) => caches.delete(name)));
+}
+
+const patienceEnds = () =>
+  new Promise((_, reject) => {
+    setTimeout(reject, PATIENCE_MS, new Error('The network takes too long.'));
+  });
+
+/** The network first: nobody stays on an old version while there is a new one. */
+async function page(request, url) {
+  const network = fetch(request);
+  try {
+    const answer = await Promise.race([network, patienceEnds()]);
+    if (answer.status < 500) return answer;
+  } catch {
+    // No network, or too slow.
+  }
+  return (await kept(url)) ?? network;
+}
+
+addEventListener('install', (event) => {
+  event.waitUntil(Promise.all(FILES.map(keep)));
+});
+
+addEventListener('activate', (event) => {
+  event.waitUntil(forgetOtherBuilds());
+});
+
+addEventListener('fetch', (event) => {
+  const { request } = event;
+  if (request.method !== 'GET') return;
+  const url = request.url.split(/[?#]/)[0];
+  if (request.mode === 'navigate') {
+    if (PAGES.has(url)) event.respondWith(page(request, PAGES.get(url)));
+  } else if (ADDRESSES.has(request.url)) {
+    event.respondWith(kept(request.url).then((answer) => answer ?? fetch(request)));
+  }
+});
+
+// register.js of a page of any other build may ask this: what it asks must stay the same.
+addEventListener('message', ({ data, ports }) => {
+  if (data === 'build') ports[0].postMessage(BUILD);
+  if (data === 'activate') skipWaiting();
+});

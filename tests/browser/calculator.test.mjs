@@ -1,0 +1,122 @@
+// The calculator as somebody uses it: keyboard, clipboard, reload.
+
+import assert from 'node:assert/strict';
+import { after, before, test as it } from 'node:test';
+import { Key, startBench, until } from './page.mjs';
+
+const FX = 'Focal length (fx)';
+const BASELINE = 'Camera baseline (b)';
+const DISPARITY = 'Disparity (d)';
+const IMAGE_WIDTH = 'Object width in image (w_img)';
+const REAL_WIDTH = 'Object real width (w_real)';
+
+let bench;
+before(async () => {
+  bench = await startBench();
+});
+after(() => bench.close());
+
+/** What is copied, as a part of a test that is left out where nobody can look. */
+async function copies(test, page, pattern, press = () => page.press('Copy Results')) {
+  await test.test('and is copied', { skip: bench.unless('read the clipboard') }, async () => {
+    await page.prepareClipboard();
+    await press();
+    assert.match(await until('the results on the clipboard', () => page.clipboard()), pattern);
+    await page.says(/copied/i);
+  });
+}
+
+it('the coffee mug is 1.400 m away, by keyboard alone', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  // At a desk the program starts in the first field.
+  await page.type('700');
+  await until('700 in the first field', async () => (await page.value(FX)) === '700');
+  await page.tabTo(BASELINE);
+  await page.type('10 cm');
+  await page.tabTo(DISPARITY);
+  await page.type('50', Key.ENTER);
+  await page.says(/1\.400/);
+
+  await copies(test, page, /1\.400 m\b/, async () => {
+    await page.tabTo('Copy Results');
+    await page.type(Key.ENTER);
+  });
+  assert.deepEqual(await page.consoleProblems(), []);
+});
+
+it('the keyboard leaves the program again', async (test) => {
+  if (bench.unless('leave a page with Tab')) return test.skip(bench.unless('leave a page with Tab'));
+  const page = await bench.page(test);
+  await page.start();
+  let left = false;
+  for (let tabs = 0; tabs < 60 && !left; tabs += 1) {
+    await page.type(Key.TAB);
+    left = await page.run('return document.activeElement === document.body || !document.hasFocus()');
+  }
+  assert.ok(left, 'sixty times Tab does not lead out');
+});
+
+it('what was entered is there again after a reload', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.fill(FX, '700');
+  await page.fill(BASELINE, '100');
+  await page.fill(DISPARITY, '50');
+  await page.says(/1\.400/);
+  await until('the inputs in the storage', async () => (await page.stored())?.includes('"700"'));
+  assert.equal(typeof JSON.parse(await page.stored()), 'object');
+
+  await page.reload();
+  assert.deepEqual([await page.value(FX), await page.value(BASELINE), await page.value(DISPARITY)], ['700', '100', '50']);
+  await copies(test, page, /1\.400 m\b/);
+});
+
+it('the doorway is 4.275 m away', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.fill(FX, '950');
+  await page.fill(IMAGE_WIDTH, '200');
+  await page.fill(REAL_WIDTH, '0.9');
+  await page.says(/4\.275/);
+  await copies(test, page, /4\.275 m\b/);
+});
+
+it('each example shows its distance', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.press('Doorway (monocular)');
+  await page.says(/4\.275/);
+  await page.press('Coffee mug (stereo)');
+  await page.says(/1\.400/);
+});
+
+it('a mistake is said at its field', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.fill(FX, 'seven');
+  await until('the field marked as invalid', async () => (await (await page.field(FX)).getAttribute('aria-invalid')) === 'true');
+});
+
+for (const text of ['{', '', 'null', '{"version":999}', '\u0000 no JSON']) {
+  it(`a store that holds ${JSON.stringify(text)} does not keep the program from starting`, async (test) => {
+    const page = await bench.page(test);
+    await page.store(text);
+    await page.start();
+    assert.deepEqual(await page.consoleProblems(), []);
+    await page.says(/could not be read/);
+    await page.press('Coffee mug (stereo)');
+    await page.says(/1\.400/);
+  });
+}
+
+it('a link fills in the fields that it names, and a reload keeps what was typed since', async (test) => {
+  const page = await bench.page(test);
+  await page.driver.get(`${bench.server.url}#fx=700&b=100mm&d=50`);
+  await page.started();
+  await page.says(/1\.400/);
+  await page.fill(DISPARITY, '100');
+  await page.says(/0\.700/);
+  await page.reload();
+  assert.equal(await page.value(DISPARITY), '100');
+});

@@ -1,0 +1,217 @@
+// The page as a person meets it: what it shows, its fields and buttons, the keyboard, the clipboard.
+
+import { setTimeout as sleep } from 'node:timers/promises';
+import { Key } from 'selenium-webdriver';
+import { startEngine } from './engines.mjs';
+import { startServer } from './server.mjs';
+
+export const STORAGE_KEY = 'depth-calculator/v1';
+const MIRROR = '#accessible-mirror';
+const SELECTORS = {
+  button: 'button, [role=button]',
+  choice: '[role=menuitemcheckbox], [role=option]',
+  field: 'input, textarea, [role=textbox], [role=spinbutton]',
+  link: 'a, [role=link]',
+  tab: '[role=tab]',
+};
+const PATIENCE_MS = 30_000;
+
+/** A server and a browser driver for one file of tests. */
+export async function startBench() {
+  const server = await startServer();
+  const session = await startEngine();
+  return {
+    server,
+    engineName: session.name,
+    /** For the option `skip` of a test: why it cannot run in this engine, if so. Each name is one of `cannot` in engines.mjs. */
+    unless(...abilities) {
+      const missing = abilities.filter((ability) => ability in session.engine.cannot);
+      return missing.length > 0 && missing.map((ability) => `${session.name} cannot ${ability}: ${session.engine.cannot[ability]}`).join('; ');
+    },
+    /** A page in a fresh browser, which closes with the test; nothing is loaded yet. */
+    async page(test, options = {}) {
+      server.state.programs = 'sent';
+      server.state.changed.clear();
+      const driver = await session.open(options);
+      test.after(() => driver.quit());
+      const page = new Page(session.engine, server, driver);
+      await page.setScreen({ width: 1280, height: 900 });
+      return page;
+    },
+    close() {
+      session.close();
+      server.close();
+    },
+  };
+}
+
+/** Calls `look` until it answers with something true, and returns that. */
+export async function until(what, look) {
+  const end = Date.now() + PATIENCE_MS;
+  for (;;) {
+    const seen = await look();
+    if (seen) return seen;
+    if (Date.now() > end) throw new Error(`Waited ${PATIENCE_MS / 1000} s in vain: ${what}`);
+    await sleep(50);
+  }
+}
+
+export class Page {
+  constructor(engine, server, driver) {
+    Object.assign(this, { engine, server, driver });
+  }
+
+  setScreen(screen) {
+    return this.engine.setScreen(this.driver, screen);
+  }
+
+  run(script, ...values) {
+    return this.driver.executeScript(script, ...values);
+  }
+
+  /** Loads the page and waits until the program has drawn its first frame. */
+  async start() {
+    await this.driver.get(this.server.url);
+    await this.started();
+  }
+
+  async reload() {
+    await this.driver.navigate().refresh();
+    await this.started();
+  }
+
+  async started() {
+    await until('the first frame', async () => {
+      const failure = await this.failure();
+      if (failure) throw new Error(`The page shows: ${failure}`);
+      return (await this.firstFrameMs()) !== null;
+    });
+  }
+
+  /** Milliseconds from the navigation to the first frame, `null` before it. */
+  firstFrameMs() {
+    return this.run("return performance.getEntriesByName('first-frame')[0]?.startTime ?? null");
+  }
+
+  /** What the page says when the program cannot run; empty while it can. */
+  failure() {
+    return this.run("const fatal = document.getElementById('fatal'); return fatal.hidden ? '' : fatal.innerText");
+  }
+
+  /** Loads the page and waits for it to say why the program cannot run. */
+  async startFailing() {
+    await this.driver.get(this.server.url);
+    return until('a message', () => this.failure());
+  }
+
+  /** Where every request went since the last call. */
+  async requestedOrigins() {
+    const fromPage = await this.run("return performance.getEntriesByType('resource').map((entry) => entry.name)");
+    const urls = [...fromPage, ...(await this.engine.requests(this.driver))];
+    return [...new Set(urls.filter((url) => !url.startsWith('data:') && !url.startsWith('blob:')).map((url) => new URL(url).origin))];
+  }
+
+  consoleProblems() {
+    return this.engine.consoleProblems(this.driver);
+  }
+
+  /** The text that the page keeps for the next start, `null` if there is none. */
+  stored() {
+    return this.run('return localStorage.getItem(arguments[0])', STORAGE_KEY);
+  }
+
+  /** Replaces what the page keeps, before its next start. */
+  async store(text) {
+    await this.driver.get(`${this.server.origin}/nothing-here`);
+    await this.run('localStorage.setItem(arguments[0], arguments[1])', STORAGE_KEY, text);
+    // What the browser says about this place, which is not the page.
+    await this.consoleProblems();
+  }
+
+  /** The elements of the program with one of these roles. A canvas has none: they are those of its accessible mirror. */
+  async elements(...roles) {
+    const found = [];
+    for (const element of await this.driver.findElements({ css: `${MIRROR} :is(${roles.map((role) => SELECTORS[role]).join()})` })) {
+      found.push({ element, name: await element.getAccessibleName() });
+    }
+    return found;
+  }
+
+  async element(name, ...roles) {
+    return until(`"${name}" (${roles.join(' or ')})`, async () => {
+      const found = await this.elements(...roles);
+      return found.find((candidate) => candidate.name === name)?.element;
+    });
+  }
+
+  /** The field with this name. */
+  field(name) {
+    return this.element(name, 'field');
+  }
+
+  /** What stands in the field with this name. */
+  async value(name) {
+    return (await this.field(name)).getProperty('value');
+  }
+
+  /** Replaces what stands in a field, as somebody who came to it with the keyboard. */
+  async fill(name, text) {
+    const field = await this.field(name);
+    await this.run('arguments[0].focus(); arguments[0].select()', field);
+    await this.type(text);
+    await until(`"${text}" in "${name}"`, async () => (await this.value(name)) === text);
+  }
+
+  /** Presses the button, link, tab or choice in a menu with this name, as assistive technology does. */
+  async press(name) {
+    await this.run('arguments[0].click()', await this.element(name, 'button', 'link', 'tab', 'choice'));
+  }
+
+  /** Presses Tab until the element with this name has the keyboard. */
+  async tabTo(name) {
+    for (let tabs = 0; tabs < 60; tabs += 1) {
+      const active = await this.driver.switchTo().activeElement();
+      if ((await active.getAccessibleName()) === name) return;
+      await this.type(Key.TAB);
+    }
+    throw new Error(`Tab does not lead to "${name}".`);
+  }
+
+  /** Everything that the program says, as a screen reader would read it. */
+  text() {
+    return this.run('return document.querySelector(arguments[0])?.innerText ?? ""', MIRROR);
+  }
+
+  /** Waits until the program says something. */
+  says(pattern) {
+    return until(`${pattern}`, async () => pattern.test(await this.text()));
+  }
+
+  /** Types into whatever has the keyboard. */
+  async type(...keys) {
+    await this.driver.actions().sendKeys(...keys).perform();
+    await this.frames();
+  }
+
+  /** Waits until the program has seen the last key and moved its focus: nobody types faster than that. */
+  frames() {
+    return this.driver.executeAsyncScript('const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(() => done())))');
+  }
+
+  /** Allows the page to be asked for the clipboard, and empties it. */
+  async prepareClipboard() {
+    await this.engine.allowClipboard(this.driver, this.server.origin);
+    await this.run("return navigator.clipboard.writeText('')");
+  }
+
+  clipboard() {
+    return this.run('return navigator.clipboard.readText()');
+  }
+
+  /** A PNG of what the window shows. */
+  async screenshot() {
+    return Buffer.from(await this.driver.takeScreenshot(), 'base64');
+  }
+}
+
+export { Key };

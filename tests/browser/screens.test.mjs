@@ -1,0 +1,106 @@
+// Every screen at every width, light and dark: pictures for people, and proof that something is drawn.
+
+import assert from 'node:assert/strict';
+import { mkdir, writeFile } from 'node:fs/promises';
+import path from 'node:path';
+import { setTimeout as sleep } from 'node:timers/promises';
+import { after, before, test as it } from 'node:test';
+import { PNG } from 'pngjs';
+import { startBench, until } from './page.mjs';
+
+const FOLDER = path.resolve(import.meta.dirname, '../../target/screenshots');
+const DEVICES = [
+  { device: 'a phone', scale: 2, sizes: [{ width: 390, height: 844 }] },
+  {
+    device: 'a desk',
+    scale: 1,
+    sizes: [
+      { width: 768, height: 1024 },
+      { width: 1280, height: 900 },
+      { width: 1920, height: 1080 },
+    ],
+  },
+];
+const MUG = { 'Focal length (fx)': '700', 'Camera baseline (b)': '100', 'Disparity (d)': '50' };
+const MISTAKES = { 'Focal length (fx)': 'seven', 'Camera baseline (b)': '-3', 'Disparity (d)': '0' };
+
+/** How each screen is reached from a fresh start. */
+const SCREENS = {
+  'calculator-empty': async () => {},
+  'calculator-mug': (page) => fillAll(page, MUG),
+  'calculator-errors': (page) => fillAll(page, MISTAKES),
+  learn: (page) => page.press('Learn'),
+};
+
+async function fillAll(page, values) {
+  for (const [name, value] of Object.entries(values)) await page.fill(name, value);
+}
+
+let bench;
+before(async () => {
+  bench = await startBench();
+  await mkdir(FOLDER, { recursive: true });
+});
+after(() => bench.close());
+
+/** The part of the picture that has its most frequent colour, and the lightness of that colour, 0 to 255. */
+function background(png) {
+  const { data } = PNG.sync.read(png);
+  const counts = new Map();
+  for (let at = 0; at < data.length; at += 4) {
+    const colour = data.readUIntBE(at, 3);
+    counts.set(colour, (counts.get(colour) ?? 0) + 1);
+  }
+  const [colour, count] = [...counts].reduce((most, next) => (next[1] > most[1] ? next : most));
+  return { share: count / (data.length / 4), lightness: (((colour >> 16) & 255) + ((colour >> 8) & 255) + (colour & 255)) / 3 };
+}
+
+/** Two pictures in a row that are equal: nothing moves any more. */
+async function settledScreenshot(page) {
+  let last = await page.screenshot();
+  return until('a picture that stands still', async () => {
+    await sleep(100);
+    const next = await page.screenshot();
+    const still = next.equals(last);
+    last = next;
+    return still && next;
+  });
+}
+
+for (const { device, scale, sizes } of DEVICES) {
+  for (const [name, reach] of Object.entries(SCREENS)) {
+    it(`${name} is drawn on ${device}, light and dark`, async (test) => {
+      const page = await bench.page(test, { scale });
+      await page.setScreen(sizes[0]);
+      await page.start();
+      await reach(page);
+      // So that no caret blinks in the pictures.
+      await page.run('document.activeElement?.blur()');
+      for (const dark of [false, true]) {
+        for (const size of sizes) {
+          await page.setScreen({ ...size, dark });
+          const png = await settledScreenshot(page);
+          const file = `${bench.engineName}-${name}-${size.width}-${dark ? 'dark' : 'light'}.png`;
+          await writeFile(path.join(FOLDER, file), png);
+          const { share, lightness } = background(png);
+          assert.ok(share < 0.985, `${file} is nearly of one colour (${(100 * share).toFixed(1)} %)`);
+          assert.equal(lightness < 128, dark, `${file}: the lightness of the background is ${lightness}`);
+        }
+      }
+      assert.equal(await page.run("return document.getElementById('app').width / innerWidth"), scale, 'device pixels drawn');
+      assert.deepEqual(await page.consoleProblems(), []);
+    });
+  }
+}
+
+it('the page before the program follows the colour scheme', async (test) => {
+  const page = await bench.page(test);
+  bench.server.state.programs = 'missing';
+  for (const dark of [false, true]) {
+    await page.setScreen({ width: 1280, height: 900, dark });
+    await page.startFailing();
+    const png = await settledScreenshot(page);
+    await writeFile(path.join(FOLDER, `${bench.engineName}-failure-${dark ? 'dark' : 'light'}.png`), png);
+    assert.equal(background(png).lightness < 128, dark);
+  }
+});

@@ -1,0 +1,90 @@
+// Serves the built page as a static host does, from a folder below the root, and can fail on purpose.
+
+import { createServer } from 'node:http';
+import { once } from 'node:events';
+import { readFile } from 'node:fs/promises';
+import path from 'node:path';
+import { setTimeout as sleep } from 'node:timers/promises';
+
+const DIST = path.resolve(process.env.DIST ?? path.join(import.meta.dirname, '../../dist'));
+/** The page must work from any folder. */
+const BASE = '/some/folder/';
+
+const TYPES = {
+  '.css': 'text/css; charset=utf-8',
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript; charset=utf-8',
+  '.json': 'application/json',
+  '.png': 'image/png',
+  '.svg': 'image/svg+xml',
+  '.wasm': 'application/wasm',
+  '.webmanifest': 'application/manifest+json',
+};
+
+/**
+ * `programs` says what happens to the WebAssembly file: 'sent', 'missing' (404), 'cut' (the connection
+ * ends in the middle), 'held' (in twentieths, as many as `pieces` says so far), 'broken' (not a program) or 'old type' (sent with a wrong type).
+ * `changed` holds, by a file's name, what to make of its text before it is sent, perhaps later.
+ */
+export async function startServer() {
+  const state = { programs: 'sent', pieces: 0, changed: new Map() };
+
+  async function sendProgram(response, content) {
+    switch (state.programs) {
+      case 'missing':
+        response.writeHead(404).end();
+        return;
+      case 'cut':
+        response.write(content.subarray(0, content.length / 2));
+        await sleep(200);
+        response.destroy();
+        return;
+      case 'broken':
+        response.end('This is not a program.');
+        return;
+      case 'held':
+        response.setHeader('content-length', content.length);
+        for (let piece = 0; piece < 20 && !response.destroyed; piece += 1) {
+          while (state.pieces <= piece && !response.destroyed) await sleep(20);
+          response.write(content.subarray((piece * content.length) / 20, ((piece + 1) * content.length) / 20));
+        }
+        response.end();
+        return;
+      case 'old type':
+        response.setHeader('content-type', 'application/octet-stream');
+        response.end(content);
+        return;
+      default:
+        response.end(content);
+    }
+  }
+
+  const server = createServer(async (request, response) => {
+    try {
+      const { pathname } = new URL(request.url, 'http://host');
+      const name = pathname.startsWith(BASE) ? pathname.slice(BASE.length) || 'index.html' : undefined;
+      const file = name && path.join(DIST, name);
+      if (!file?.startsWith(DIST + path.sep)) throw new Error('outside');
+      const content = await readFile(file);
+      response.setHeader('content-type', TYPES[path.extname(file)] ?? 'application/octet-stream');
+      response.setHeader('cache-control', 'no-store');
+      if (file.endsWith('.wasm')) await sendProgram(response, content);
+      else response.end((await state.changed.get(name)?.(content.toString())) ?? content);
+    } catch {
+      if (!response.headersSent) response.writeHead(404, { 'content-type': 'text/plain' });
+      response.end('There is no such file.');
+    }
+  });
+  server.listen(0, '127.0.0.1');
+  await once(server, 'listening');
+  const origin = `http://127.0.0.1:${server.address().port}`;
+  return {
+    origin,
+    url: origin + BASE,
+    state,
+    close() {
+      server.closeAllConnections();
+      server.close();
+    },
+  };
+}

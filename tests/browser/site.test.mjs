@@ -1,0 +1,189 @@
+// The site around the program: the Learn page, use without a network, new versions, and what the page may not do.
+
+import assert from 'node:assert/strict';
+import { after, before, test as it } from 'node:test';
+import { setTimeout as sleep } from 'node:timers/promises';
+import { startBench, until } from './page.mjs';
+
+let bench;
+before(async () => {
+  bench = await startBench();
+});
+after(() => bench.close());
+
+/** Waits until the page has been kept on this computer. */
+function kept(page) {
+  return until('the page kept on this computer', () =>
+    page.run("return navigator.serviceWorker.getRegistration().then((kept) => kept?.active?.state === 'activated')"),
+  );
+}
+
+/** What the page offers about a new version, empty if nothing. */
+function offered(page) {
+  return page.run("const bar = document.getElementById('update'); return bar.hidden ? '' : bar.innerText");
+}
+
+/** Notes in the page itself which scripts, styles and requests its policy refuses. */
+async function watchPolicy(page) {
+  await page.engine.onEveryPage(
+    page.driver,
+    "globalThis.refused = []; addEventListener('securitypolicyviolation', ({ violatedDirective, blockedURI }) => refused.push(`${violatedDirective} ${blockedURI}`))",
+  );
+}
+
+it('the Learn page can be read without scripts, and its examples open in the calculator', async (test) => {
+  const page = await bench.page(test);
+  await page.engine.allowScripts(page.driver, false);
+  await page.driver.get(`${bench.server.url}learn.html`);
+  const text = await page.driver.findElement({ css: 'main' }).getText();
+  assert.match(text, /A robot looks at a mug/);
+  assert.match(text, /Which baseline is reasonable\?/);
+  const sizes = await page.run(`
+    const box = (selector) => document.querySelector(selector).getBoundingClientRect();
+    return { fraction: box('math mfrac').height, letter: box('math mi').height, window: innerWidth, page: document.documentElement.scrollWidth };
+  `);
+  assert.ok(sizes.fraction > 1.5 * sizes.letter, `formulas are drawn as fractions: ${JSON.stringify(sizes)}`);
+  assert.ok(sizes.page <= sizes.window, `nothing stands out at the side: ${JSON.stringify(sizes)}`);
+
+  await page.engine.allowScripts(page.driver, true);
+  await page.driver.findElement({ css: 'a[href*="fx=700"]' }).click();
+  await page.started();
+  await page.says(/1\.400/);
+  assert.deepEqual(await page.consoleProblems(), []);
+});
+
+it('the Learn page fits a phone', async (test) => {
+  const page = await bench.page(test);
+  await page.setScreen({ width: 320, height: 640 });
+  await page.driver.get(`${bench.server.url}learn.html`);
+  const { window, page: width } = await page.run('return { window: innerWidth, page: document.documentElement.scrollWidth }');
+  assert.equal(window, 320);
+  assert.ok(width <= 320, `the page is ${width} px wide`);
+});
+
+it('the policy refuses nothing that the program needs, and does refuse what it should', async (test) => {
+  const page = await bench.page(test);
+  await watchPolicy(page);
+  await page.start();
+  await page.press('Coffee mug (stereo)');
+  await page.says(/1\.400/);
+  await kept(page);
+  assert.deepEqual(await page.run('return refused'), []);
+  assert.deepEqual(await page.consoleProblems(), []);
+  assert.deepEqual(await page.requestedOrigins(), [bench.server.origin]);
+
+  await page.run("const script = document.createElement('script'); script.textContent = 'globalThis.injected = true'; document.body.append(script)");
+  assert.equal(await page.run('return globalThis.injected ?? false'), false);
+  await page.run("return fetch('http://127.0.0.1:9/').then(() => {}, () => {})");
+  const refused = await until('two refusals', async () => {
+    const seen = await page.run('return refused');
+    return seen.length >= 2 && seen;
+  });
+  assert.match(refused.join(), /script-src/);
+  assert.match(refused.join(), /connect-src/);
+});
+
+it('the page can be installed', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  assert.deepEqual(await page.engine.installProblems(page.driver), []);
+});
+
+it('the second visit works without a server', async (test) => {
+  const own = await startBench();
+  const page = await own.page(test);
+  // After the page has been closed, which that needs.
+  test.after(() => own.close());
+  await page.start();
+  await kept(page);
+  own.server.close();
+  await assert.rejects(fetch(own.server.url), 'the server is gone');
+
+  // Elsewhere first: from the page itself, the browser would only follow the fragment.
+  await page.driver.get('about:blank');
+  await page.driver.get(`${own.server.url}#fx=700&b=100mm&d=50`);
+  await page.started();
+  await page.says(/1\.400/);
+  assert.ok(await page.run('return navigator.serviceWorker.controller !== null'));
+  await page.driver.get(`${own.server.url}learn.html`);
+  assert.match(await page.driver.findElement({ css: 'h1' }).getText(), /Distance/);
+});
+
+it('a server that keeps silent does not keep anybody waiting for long', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await kept(page);
+  let asked = false;
+  bench.server.state.changed.set('index.html', async (text) => {
+    asked = true;
+    await sleep(60_000, undefined, { ref: false });
+    return text;
+  });
+  await page.reload();
+  assert.ok(asked, 'the network comes first');
+  assert.ok(await page.run('return navigator.serviceWorker.controller !== null'));
+});
+
+it('a new version is offered, and comes when it is asked for', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await kept(page);
+  await page.reload();
+  assert.equal(await offered(page), '', 'nothing is new');
+  const before = await page.run("return document.querySelector('meta[name=build]').content");
+  assert.match(before, /^[0-9a-f]{16}$/);
+
+  const another = 'another-build';
+  const rename = (text) => text.replace(before, another);
+  bench.server.state.changed.set('sw.js', rename).set('index.html', rename);
+  // As the page itself does when somebody comes back to it.
+  await page.run("globalThis.sameDocument = true; document.dispatchEvent(new Event('visibilitychange'))");
+  assert.match(await until('the offer', () => offered(page)), /Reload/);
+  await until('its words', async () => /A new version is ready\./.test(await offered(page)));
+  await sleep(1000);
+  assert.equal(await page.run('return globalThis.sameDocument'), true, 'nobody is interrupted');
+  assert.equal((await caches(page)).length, 2, 'the version in use stays until then');
+
+  await page.driver.findElement({ css: '#update-now' }).click();
+  await until('the new version', () =>
+    page.run("return !globalThis.sameDocument && document.querySelector('meta[name=build]')?.content === arguments[0]", another),
+  );
+  await page.started();
+  const left = await until('only the new version kept', async () => {
+    const names = await caches(page);
+    return names.length === 1 && names;
+  });
+  assert.match(left[0], /another-build$/);
+  assert.equal(await offered(page), '');
+});
+
+it('whoever opens the page anew has the new version at once, without being asked', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await kept(page);
+  const before = await page.run("return document.querySelector('meta[name=build]').content");
+  const rename = (text) => text.replace(before, 'another-build');
+  bench.server.state.changed.set('sw.js', rename).set('index.html', rename);
+
+  await page.reload();
+  assert.equal(await page.run("return document.querySelector('meta[name=build]').content"), 'another-build');
+  await until('the new version kept', async () => {
+    const names = await caches(page);
+    return names.length === 1 && names[0].endsWith(' another-build');
+  });
+  assert.equal(await offered(page), '');
+});
+
+it('without what keeps it, the page works all the same', async (test) => {
+  const page = await bench.page(test);
+  bench.server.state.changed.set('sw.js', () => 'this is no script');
+  await page.start();
+  await page.press('Coffee mug (stereo)');
+  await page.says(/1\.400/);
+  assert.equal(await page.failure(), '');
+  assert.equal(await page.run('return navigator.serviceWorker.controller'), null);
+});
+
+function caches(page) {
+  return page.run('return caches.keys()');
+}

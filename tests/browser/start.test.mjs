@@ -1,0 +1,124 @@
+// Before the program runs, while it loads, and when it cannot run.
+
+import assert from 'node:assert/strict';
+import { after, before, test as it } from 'node:test';
+import { startBench, until } from './page.mjs';
+
+let bench;
+before(async () => {
+  bench = await startBench();
+});
+after(() => bench.close());
+
+it('the page names itself and its purpose before any program has arrived', async () => {
+  const html = await (await fetch(bench.server.url)).text();
+  assert.match(html, /<title>Depth Calculator<\/title>/);
+  assert.match(html, /How far away is it, and how sure can I be\?/);
+  assert.match(html, /<progress /);
+  assert.match(html, /<noscript>/);
+  assert.doesNotMatch(html, /user-scalable|maximum-scale/, 'zooming must stay possible');
+  assert.doesNotMatch(html, /<script(?![^>]* (?:src=|type="application\/ld\+json"))/, 'a strict Content-Security-Policy allows no script inside the page');
+  assert.doesNotMatch(html, /<style|style=|\son[a-z]+=/, 'nor styles and handlers');
+  assert.doesNotMatch(html, /(?<!rel="canonical" )(?:src|href)="(?:\/|[a-z]+:)/, 'every address must be relative');
+});
+
+it('the program starts, without a complaint and without asking anybody else', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  assert.equal(await page.failure(), '');
+  assert.equal(await page.run("return document.getElementById('loading').hidden"), true);
+  assert.deepEqual(await page.consoleProblems(), []);
+  assert.deepEqual(await page.requestedOrigins(), [bench.server.origin]);
+});
+
+it('every file that the page names is there', async () => {
+  const html = await (await fetch(bench.server.url)).text();
+  const names = [...html.matchAll(/<(?:link(?! rel="canonical")|script)[^>]* (?:href|src)="([^"]+)"/g)].map((match) => match[1]);
+  assert.ok(names.length >= 6, `only ${names}`);
+  for (const name of names) {
+    const answer = await fetch(new URL(name, bench.server.url));
+    assert.equal(answer.status, 200, name);
+    await answer.body.cancel();
+  }
+});
+
+it('the bar moves while the program arrives', async (test) => {
+  const page = await bench.page(test);
+  Object.assign(bench.server.state, { programs: 'held', pieces: 0 });
+  // Navigating from within the page does not wait for it to be loaded, which it is not until the last piece is sent.
+  await page.driver.get('about:blank');
+  await page.run('location.href = arguments[0]', bench.server.url);
+  let position = 0;
+  for (const pieces of [4, 10, 16]) {
+    bench.server.state.pieces = pieces;
+    position = await until(`the bar moves on from ${position}`, async () => {
+      const now = await page.run("return document.getElementById('bar')?.position ?? 0");
+      return now > position && now < 1 && now;
+    });
+  }
+  bench.server.state.pieces = 20;
+  await page.started();
+});
+
+it('a host that does not know the type of the program does no harm', async (test) => {
+  const page = await bench.page(test);
+  bench.server.state.programs = 'old type';
+  await page.start();
+  assert.deepEqual(await page.consoleProblems(), []);
+});
+
+const FAILURES = [
+  { title: 'without WebGL', options: { without: 'webgl' }, says: /does not offer WebGL 2/ },
+  { title: 'without WebAssembly', options: { without: 'webassembly' }, says: /does not run WebAssembly/ },
+  { title: 'a missing program', programs: 'missing', says: /could not be downloaded/ },
+  { title: 'a connection that ends in the middle', programs: 'cut', says: /could not be downloaded/ },
+  { title: 'a file that is no program', programs: 'broken', says: /arrived, but this browser could not start it/ },
+];
+
+for (const { title, options, programs, says } of FAILURES) {
+  it(`${title} is said in words, with a way on`, async (test) => {
+    const page = await bench.page(test, options);
+    bench.server.state.programs = programs ?? 'sent';
+    const text = await page.startFailing();
+    assert.match(text, says);
+    assert.match(text, /Reload/);
+    assert.match(text, /What you entered is kept in this browser\./);
+    assert.equal(await page.run("return document.getElementById('fatal').getAttribute('role')"), 'alert');
+  });
+}
+
+it('Reload tries again', async (test) => {
+  const page = await bench.page(test);
+  bench.server.state.programs = 'missing';
+  await page.startFailing();
+  bench.server.state.programs = 'sent';
+  await page.run("document.getElementById('reload').click()");
+  await page.started();
+});
+
+it('lost graphics are said in words', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.run("document.getElementById('app').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()");
+  assert.match(await until('a message', () => page.failure()), /took the graphics away/);
+});
+
+it('an error that stops the program is said in words', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.run("dispatchEvent(new ErrorEvent('error', { error: new WebAssembly.RuntimeError('unreachable') }))");
+  assert.match(await until('a message', () => page.failure()), /stopped because of an error/);
+});
+
+it('the first frame comes soon', async (test) => {
+  const page = await bench.page(test);
+  const times = [];
+  for (let run = 0; run < 5; run += 1) {
+    await page.start();
+    times.push(await page.firstFrameMs());
+  }
+  times.sort((a, b) => a - b);
+  const figures = times.map((time) => Math.round(time)).join(', ');
+  test.diagnostic(`first frame (${bench.engineName}): median ${Math.round(times[2])} ms of ${figures}`);
+  assert.ok(times[2] < 10_000, `the first frame came after ${times[2]} ms`);
+});
