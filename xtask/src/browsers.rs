@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::step::{command, output, root, run, step};
+use crate::step::{cargo, command, output, root, run, step};
 
 const BROWSERS: &[&str] = &[
     "chromium",
@@ -13,6 +13,39 @@ const BROWSERS: &[&str] = &[
     "C:/Program Files/Google/Chrome/Application/chrome.exe",
 ];
 const OLDEST_NODE: u32 = 20;
+const GECKODRIVER_VERSION: &str = "0.37.1";
+
+/// An engine besides Chromium, in which the page must do the same.
+struct Other {
+    name: &'static str,
+    /// What tests/browser/engines.mjs calls it.
+    engine: &'static str,
+    /// What Debian calls it.
+    packages: &'static [&'static str],
+    needs_geckodriver: bool,
+    /// The programs, as the environment variables that tests/browser/engines.mjs reads.
+    find: fn() -> Option<Vec<(&'static str, PathBuf)>>,
+}
+
+const OTHERS: &[Other] = &[
+    Other {
+        name: "Firefox",
+        engine: "firefox",
+        packages: &["firefox-esr", "xvfb"],
+        needs_geckodriver: true,
+        find: find_firefox,
+    },
+    Other {
+        name: "WebKit",
+        engine: "webkit",
+        packages: &["webkit2gtk-driver", "xvfb"],
+        needs_geckodriver: false,
+        find: find_webkit,
+    },
+];
+
+/// The tests that every engine runs. The others are about the host and the pictures, or need what only Chromium's driver can do.
+const EVERYWHERE: &[&str] = &["calculator", "accessibility", "faults", "mirror"];
 
 /// Chromium or Chrome, and the driver of the same version.
 struct Chromium {
@@ -25,16 +58,138 @@ pub(crate) fn test(dist: &Path) -> Result<(), String> {
     check_node()?;
     let chromium = find_or_install_chromium()?;
     install_packages()?;
-    step("Tests in a real browser", || {
-        let mut files = test_files()?;
-        files.sort();
+    let mut files = test_files()?;
+    files.sort();
+    let chromium = [("CHROMIUM", chromium.browser), ("CHROMEDRIVER", chromium.driver)];
+    run_tests("Chromium", "chromium", &files, &chromium, dist)
+}
+
+/// Runs the tests of behaviour in the other engines, against the page in `dist`.
+pub(crate) fn test_others(dist: &Path) -> Result<(), String> {
+    check_node()?;
+    install_packages()?;
+    let files: Vec<String> = EVERYWHERE.iter().map(|name| format!("tests/browser/{name}.test.mjs")).collect();
+    let must = std::env::var_os("CI").is_some_and(|ci| ci == "true");
+    let mut untested = Vec::new();
+    for other in OTHERS {
+        match find_or_install(other, must) {
+            Ok(programs) => run_tests(other.name, other.engine, &files, &programs, dist)?,
+            Err(reason) if must => return Err(reason),
+            Err(reason) => untested.push(format!("NOT TESTED in {}: {reason}", other.name)),
+        }
+    }
+    for line in untested {
+        println!("\n!! {line}");
+    }
+    Ok(())
+}
+
+fn run_tests(name: &str, engine: &str, files: &[String], programs: &[(&str, PathBuf)], dist: &Path) -> Result<(), String> {
+    step(&format!("Tests in a real browser: {name}"), || {
         let mut node = command("node", &["--test", "--test-concurrency=1", "--test-reporter=spec"]);
-        node.args(files)
-            .env("DIST", dist)
-            .env("CHROMIUM", chromium.browser)
-            .env("CHROMEDRIVER", chromium.driver);
-        run(&mut node)
+        node.args(files).env("DIST", dist).env("ENGINE", engine);
+        run(node.envs(programs.iter().map(|(variable, path)| (variable, path))))
     })
+}
+
+/// Installs only as root or for CI: elsewhere a machine's programs are its owner's business.
+fn find_or_install(other: &Other, must: bool) -> Result<Vec<(&'static str, PathBuf)>, String> {
+    if let Some(programs) = (other.find)() {
+        return Ok(programs);
+    }
+    let driver = if other.needs_geckodriver {
+        format!(" and `cargo install geckodriver --version {GECKODRIVER_VERSION}`")
+    } else {
+        String::new()
+    };
+    let packages = other.packages.join(" ");
+    let advice = format!("the tests need, on Debian and Ubuntu, `apt-get install {packages}`{driver}.");
+    let has_apt = output(&mut command("apt-get", &["--version"])).is_some();
+    if !has_apt || !(must || is_root()) {
+        return Err(advice);
+    }
+    step(&format!("Install {} (some minutes)", other.name), || {
+        // Where a browser came from elsewhere, Debian's package may be missing; what matters is looked for below.
+        apt_get(&["update"])?;
+        let mut install = vec!["install", "--yes", "--no-install-recommends"];
+        install.extend(other.packages);
+        let installed = apt_get(&install);
+        if other.needs_geckodriver && geckodriver().is_none() {
+            let folder = tools_folder();
+            // Optimising it takes far longer than it will ever run.
+            let mut install = cargo(&[
+                "install",
+                "geckodriver",
+                "--version",
+                GECKODRIVER_VERSION,
+                "--debug",
+                "--force",
+                "--root",
+            ]);
+            run(install.arg(folder))?;
+        }
+        if (other.find)().is_some() { Ok(()) } else { installed }
+    })
+    .map_err(|reason| format!("{reason}\nFor {}, {advice}", other.name))?;
+    (other.find)().ok_or(advice)
+}
+
+fn tools_folder() -> PathBuf {
+    root().join("target").join("tools")
+}
+
+fn find_firefox() -> Option<Vec<(&'static str, PathBuf)>> {
+    let named = std::env::var_os("FIREFOX").map(PathBuf::from);
+    let browser = named
+        .into_iter()
+        .chain(["firefox-esr", "firefox"].map(PathBuf::from))
+        .find(|browser| major_version(browser).is_some())?;
+    screen()?;
+    Some(vec![("FIREFOX", on_path(browser)), ("GECKODRIVER", geckodriver()?)])
+}
+
+fn geckodriver() -> Option<PathBuf> {
+    let named = |name: &str| std::env::var_os(name).map(PathBuf::from);
+    [
+        named("GECKODRIVER"),
+        named("GECKOWEBDRIVER").map(|folder| folder.join("geckodriver")),
+    ]
+    .into_iter()
+    .flatten()
+    .chain([PathBuf::from("geckodriver"), tools_folder().join("bin").join("geckodriver")])
+    .find(|driver| output(&mut command(driver, &["--version"])).is_some())
+    .map(on_path)
+}
+
+fn find_webkit() -> Option<Vec<(&'static str, PathBuf)>> {
+    let driver = on_path(PathBuf::from("WebKitWebDriver"));
+    // Debian keeps MiniBrowser beside the libraries, in a folder named after the machine and the version.
+    let named = std::env::var_os("MINIBROWSER").map(PathBuf::from);
+    let beside = || {
+        let machines = std::fs::read_dir("/usr/lib").ok()?;
+        let folders = machines.flatten().filter_map(|machine| std::fs::read_dir(machine.path()).ok());
+        let mut found: Vec<PathBuf> = folders
+            .flat_map(Iterator::flatten)
+            .filter(|folder| folder.file_name().to_string_lossy().starts_with("webkit2gtk-"))
+            .map(|folder| folder.path().join("MiniBrowser"))
+            .filter(|path| path.is_file())
+            .collect();
+        found.sort();
+        found.pop()
+    };
+    let browser = named.or_else(beside)?;
+    screen()?;
+    driver.is_file().then(|| vec![("WEBKITDRIVER", driver), ("MINIBROWSER", browser)])
+}
+
+/// These two draw nothing without a screen; Xvfb is one without glass.
+fn screen() -> Option<()> {
+    let has_one = !cfg!(target_os = "linux") || std::env::var_os("DISPLAY").is_some();
+    (has_one || on_path(PathBuf::from("Xvfb")).is_file()).then_some(())
+}
+
+fn is_root() -> bool {
+    output(&mut command("id", &["-u"])).as_deref() == Some("0")
 }
 
 fn check_node() -> Result<(), String> {
@@ -96,9 +251,8 @@ fn find_or_install_chromium() -> Result<Chromium, String> {
 }
 
 fn apt_get(arguments: &[&str]) -> Result<(), String> {
-    let is_root = output(&mut command("id", &["-u"])).as_deref() == Some("0");
     // -n: fail instead of asking for a password that nobody may be there to type.
-    let mut apt_get = if is_root {
+    let mut apt_get = if is_root() {
         command("apt-get", &[])
     } else {
         command("sudo", &["-n", "apt-get"])

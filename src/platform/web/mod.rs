@@ -53,7 +53,8 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
                 if let Err(error) = mirror::Mirror::install(&creation.egui_ctx, &mirrored) {
                     log::error!("The page works, but not with a screen reader: {}", browser::sentence(&error));
                 }
-                listen(&creation.egui_ctx, &mirrored);
+                expose_mirror();
+                listen(&creation.egui_ctx);
                 Ok(Box::new(App::new(creation, Box::new(Browser::default()))))
             }),
         )
@@ -61,8 +62,22 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
         .map_err(|error| browser::sentence(&error))
 }
 
+/// Lets a test read what the program says (`accessibleMirror.description()`) and what the page beside the canvas says
+/// (`accessibleMirror.readBack()`): the two must be equal.
+fn expose_mirror() {
+    let mirror = js_sys::Object::new();
+    let offer = |name: &str, read: fn() -> String| {
+        let reader = Closure::<dyn Fn() -> String>::new(read).into_js_value();
+        // Only a frozen page could refuse, and then there is no test to notice.
+        let _ = js_sys::Reflect::set(&mirror, &name.into(), &reader);
+    };
+    offer("description", mirror::Mirror::description);
+    offer("readBack", mirror::Mirror::read_back);
+    let _ = js_sys::Reflect::set(&js_sys::global(), &"accessibleMirror".into(), &mirror);
+}
+
 /// Listens to what the browser says and eframe does not hear, as long as the page lives.
-fn listen(ctx: &egui::Context, canvas: &web_sys::HtmlCanvasElement) {
+fn listen(ctx: &egui::Context) {
     let Some(window) = web_sys::window() else { return };
     // A link followed within the page changes only its fragment: the program has to be woken to read it.
     let waking = ctx.clone();
@@ -71,13 +86,6 @@ fn listen(ctx: &egui::Context, canvas: &web_sys::HtmlCanvasElement) {
     on(&window, "storage", move || {
         browser::note_foreign_change();
         waking.request_repaint();
-    });
-    on(canvas, "webglcontextlost", || {
-        page::show_failure(
-            "The browser took the graphics away from this page, as it does when memory is short or the graphics driver restarts.",
-            "Reload the page to go on.",
-            "webglcontextlost",
-        );
     });
     let still = window.match_media("(prefers-reduced-motion: reduce)").ok().flatten();
     if still.is_some_and(|query| query.matches()) {

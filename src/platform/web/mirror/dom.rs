@@ -42,7 +42,7 @@ pub(crate) struct Dom {
     page: Page,
     /// What the page depends on besides the nodes: focus, size of a point, whether a modal is open, size of the canvas.
     circumstances: Option<(NodeId, f32, bool, egui::Vec2)>,
-    agent_says: [Option<String>; 3],
+    agent_says: [Option<String>; 4],
     made_host: bool,
 }
 
@@ -104,7 +104,7 @@ impl Dom {
             nodes: Nodes::new(),
             page: Page::default(),
             circumstances: None,
-            agent_says: [const { None }; 3],
+            agent_says: [const { None }; 4],
             made_host,
         };
         dom.lay_over_canvas();
@@ -283,8 +283,8 @@ impl Dom {
     fn follow_focus(&self, before: Option<NodeId>, held: Option<&model::Element>, moved: bool) {
         let now = self.page.focus;
         if let Some(id) = now {
-            SIGNALS.with(|signals| signals.leaving.set(false));
             if now != before {
+                SIGNALS.with(|signals| signals.leaving.set(false));
                 let _ = self.canvas.set_attribute("aria-activedescendant", &element_id(id));
             }
         } else if before.is_some() {
@@ -343,8 +343,14 @@ impl Dom {
             field.map(|field| field.name.clone()).filter(|name| !name.is_empty()),
             attribute("inputmode"),
             attribute("role"),
+            // Without a field to edit it is a receiver of keys, which has nothing to say.
+            field.is_none().then(|| "true".to_owned()),
         ];
-        for ((name, value), said) in ["aria-label", "inputmode", "role"].iter().zip(&says).zip(&self.agent_says) {
+        for ((name, value), said) in ["aria-label", "inputmode", "role", "aria-hidden"]
+            .iter()
+            .zip(&says)
+            .zip(&self.agent_says)
+        {
             if value != said {
                 let _ = match value {
                     Some(value) => agent.set_attribute(name, value),

@@ -46,9 +46,7 @@ pub(crate) fn route(kind: Kind, key: &str, modifiers: Modifiers) -> Route {
     }
     let chord = modifiers.ctrl || modifiers.alt || modifiers.mac_cmd;
     if chord {
-        // The same three that eframe keeps from the browser when the canvas has the focus.
         return match key.to_ascii_lowercase().as_str() {
-            "s" | "o" | "p" | "," if !modifiers.alt => EGUI,
             "enter" => SHARED,
             // Copy, paste, undo and moving by words belong to the field.
             _ if kind.is_text() => Route::Browser,
