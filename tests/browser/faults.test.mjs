@@ -1,0 +1,162 @@
+// What may go wrong around the program: each is said in a sentence, and nothing that was entered is lost by it.
+
+import assert from 'node:assert/strict';
+import { after, before, test as it } from 'node:test';
+import { startBench, STORAGE_KEY, until } from './page.mjs';
+
+const FX = 'Focal length (fx)';
+const BASELINE = 'Camera baseline (b)';
+const DISPARITY = 'Disparity (d)';
+const BEFORE_THE_PAGE = 'run a script before the page';
+
+let bench;
+before(async () => {
+  bench = await startBench();
+});
+after(() => bench.close());
+
+async function fillMug(page) {
+  await page.fill(FX, '700');
+  await page.fill(BASELINE, '100');
+  await page.fill(DISPARITY, '50');
+  await page.says(/1\.400/);
+}
+
+async function mugIsStored(page) {
+  await until('the inputs in the storage', async () => {
+    const text = await page.stored();
+    return ['"700"', '"100"', '"50"'].every((value) => text?.includes(value));
+  });
+}
+
+/** A page in front of which `script` runs. */
+async function pageAfter(test, script) {
+  const page = await bench.page(test);
+  await page.engine.onEveryPage(page.driver, script);
+  return page;
+}
+
+it('lost graphics lose nothing that was entered', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await fillMug(page);
+  await mugIsStored(page);
+  await page.run("document.getElementById('app').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()");
+  assert.match(await until('a message', () => page.failure()), /took the graphics away/);
+  await page.run("document.getElementById('reload').click()");
+  await until('the program again', async () => (await page.failure()) === '' && (await page.firstFrameMs()) !== null);
+  assert.equal(await page.value(FX), '700');
+  assert.equal(await page.value(BASELINE), '100');
+  assert.equal(await page.value(DISPARITY), '50');
+  await page.says(/1\.400/);
+});
+
+const REFUSALS = [
+  {
+    title: 'a storage that may not even be looked at',
+    script:
+      "Object.defineProperty(globalThis, 'localStorage', { configurable: true, get() { throw new DOMException('Access is denied for this document.', 'SecurityError'); } });",
+    says: /does not let the page store anything: Access is denied.*forgets what you enter/s,
+  },
+  {
+    title: 'a storage that cannot be read',
+    script: "Storage.prototype.getItem = () => { throw new DOMException('The disk is broken.', 'UnknownError'); };",
+    says: /does not let the page read what it stored: The disk is broken/,
+  },
+  {
+    title: 'a browser without storage',
+    script: "Object.defineProperty(globalThis, 'localStorage', { configurable: true, get: () => null });",
+    says: /has no storage for pages/,
+  },
+];
+
+for (const { title, script, says } of REFUSALS) {
+  it(`${title} is said, and the program works`, async (test) => {
+    if (bench.unless(BEFORE_THE_PAGE)) return test.skip(bench.unless(BEFORE_THE_PAGE));
+    const page = await pageAfter(test, script);
+    await page.start();
+    await page.says(says);
+    await fillMug(page);
+    assert.equal(await page.failure(), '');
+  });
+}
+
+it('a full storage is said, and the program works', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  const filled = await page.run(`
+    let size = 1 << 20;
+    for (let piece = 0; size >= 1; ) {
+      try { localStorage.setItem('filler' + piece, 'x'.repeat(size)); piece += 1; } catch { size >>= 1; }
+    }
+    try { localStorage.setItem('one more', 'value'); return false; } catch { return true; }`);
+  assert.ok(filled, 'the storage is full');
+  await page.fill(FX, '700');
+  await page.says(/could not store your inputs: .+\. What you enter now may be gone after a restart\./s);
+  await page.fill(BASELINE, '100');
+  await page.fill(DISPARITY, '50');
+  await page.says(/1\.400/);
+
+  // What is typed once there is room again is kept.
+  await page.run("for (const name of Object.keys(localStorage)) if (name.startsWith('filler')) localStorage.removeItem(name)");
+  await page.fill(DISPARITY, '100');
+  await page.says(/0\.700/);
+  await page.reload();
+  assert.equal(await page.value(DISPARITY), '100');
+  assert.equal(await page.value(FX), '700');
+});
+
+it('a clipboard that refuses is said', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.press('Coffee mug (stereo)');
+  await page.says(/1\.400/);
+  await page.run("Clipboard.prototype.writeText = () => Promise.reject(new DOMException('Write permission denied.', 'NotAllowedError'))");
+  await page.press('Copy Results');
+  await page.says(/refused to copy: Write permission denied\./);
+  assert.doesNotMatch(await page.text(), /copied to the clipboard/);
+});
+
+it('a browser that gives the page no clipboard is told from one that refuses', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.press('Coffee mug (stereo)');
+  await page.says(/1\.400/);
+  await page.run("Object.defineProperty(navigator, 'clipboard', { value: undefined })");
+  await page.press('Copy Results');
+  await page.says(/copies only from pages that arrive over https/);
+});
+
+it('two windows do not disturb each other, and the last that was typed is kept', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.fill(FX, '700');
+  await until('the first in the storage', async () => (await page.stored())?.includes('"700"'));
+  const first = await page.driver.getWindowHandle();
+
+  await page.driver.switchTo().newWindow('window');
+  await page.start();
+  assert.equal(await page.value(FX), '700', 'the second window starts with what the first has stored');
+  await page.fill(FX, '950');
+  await until('the second in the storage', async () => (await page.stored())?.includes('"950"'));
+
+  await page.driver.switchTo().window(first);
+  await page.frames();
+  assert.equal(await page.value(FX), '700', 'nobody’s typing is replaced');
+  await page.fill(BASELINE, '100');
+  await until('the first in the storage again', async () => (await page.stored())?.includes('"100"'));
+  assert.equal(await page.failure(), '');
+  await page.reload();
+  assert.equal(await page.value(FX), '700');
+  assert.equal(await page.value(BASELINE), '100');
+});
+
+it('a store that is cleared while the program runs is written again', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.fill(FX, '700');
+  await until('the inputs in the storage', () => page.stored());
+  await page.run('localStorage.removeItem(arguments[0])', STORAGE_KEY);
+  await page.fill(BASELINE, '100');
+  await until('the inputs in the storage again', async () => (await page.stored())?.includes('"700"'));
+});
