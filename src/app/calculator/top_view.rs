@@ -98,6 +98,8 @@ impl Model {
 /// Where everything is on the screen.
 #[derive(Clone, Debug, PartialEq)]
 struct Scene {
+    /// The space of the picture, of which more or less may be scrolled out of sight.
+    frame: Rect,
     points_per_metre: f64,
     cameras: Vec<Pos2>,
     object: Pos2,
@@ -144,6 +146,7 @@ impl Scene {
             })
         });
         Self {
+            frame,
             points_per_metre,
             cameras,
             object,
@@ -157,7 +160,7 @@ impl Scene {
 
 fn paint(painter: &Painter, palette: &Palette, model: &Model, scene: &Scene, unit: LengthUnit) {
     let sight = Stroke::new(1.2, palette.blue);
-    let frame = painter.clip_rect();
+    let frame = scene.frame;
     // One camera sees the two edges of an object of known width; two cameras each see the point itself.
     let targets: Vec<Pos2> = match (&scene.edges, model.baseline_m) {
         (Some(edges), None) => edges.to_vec(),
@@ -233,7 +236,7 @@ fn paint_inset(painter: &Painter, palette: &Palette, model: &Model, inset: &Inse
 
 /// A bar of round length, at the lower right.
 fn paint_scale(painter: &Painter, palette: &Palette, scene: &Scene, unit: LengthUnit) {
-    let frame = painter.clip_rect();
+    let frame = scene.frame;
     let points_per_unit = scene.points_per_metre * Length::new(1.0, unit).m();
     let longest = f64::from(frame.width() * 0.2) / points_per_unit;
     let length = picture::round_down(longest);
