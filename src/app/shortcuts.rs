@@ -68,7 +68,7 @@ pub fn list(ui: &Ui, layout: Layout, commands: &mut Vec<Command>) {
                 }
             });
             ui.add_space(2.0 * theme::STEP);
-            ui.add(Button::new("Close").min_size(vec2(96.0, layout.control_height()))).clicked()
+            ui.add_sized(vec2(96.0, layout.control_height()), Button::new("Close")).clicked()
         });
     if response.inner || response.should_close() {
         commands.push(Command::ListKeys(false));

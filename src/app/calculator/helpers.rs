@@ -335,7 +335,7 @@ pub fn show(ui: &Ui, layout: Layout, helper: Helper, inputs: &Inputs, texts: &mu
                     }
                 });
             ui.add_space(theme::STEP);
-            ui.add(Button::new("Cancel").min_size(vec2(96.0, height))).clicked()
+            ui.add_sized(vec2(96.0, height), Button::new("Cancel")).clicked()
         });
     if response.inner || response.should_close() {
         commands.push(Command::Help(None));
