@@ -9,7 +9,7 @@ use depth_calculator::core::problem::Field;
 use depth_calculator::formats::inputs::{Example, Inputs};
 use divan::Bencher;
 use eframe::App as _;
-use egui::accesskit::{Action, ActionRequest, NodeId, Role, TreeId};
+use egui::accesskit::{Action, ActionRequest, Node, NodeId, Role, TreeId};
 use egui::{ClippedPrimitive, Event, Key, Modifiers, Pos2, RawInput, Rect, Vec2, vec2};
 use serde_json::json;
 
@@ -64,8 +64,7 @@ struct Program {
     app: App,
     frame: eframe::Frame,
     size: Vec2,
-    disparity: Option<NodeId>,
-    texts: Vec<String>,
+    nodes: Vec<(NodeId, Node)>,
 }
 
 impl Program {
@@ -79,8 +78,7 @@ impl Program {
             app,
             frame: eframe::Frame::_new_kittest(),
             size,
-            disparity: None,
-            texts: Vec::new(),
+            nodes: Vec::new(),
         }
     }
 
@@ -96,19 +94,25 @@ impl Program {
             self.app.ui(ui, &mut self.frame);
         });
         let triangles = ctx.tessellate(output.shapes, output.pixels_per_point);
-        let update = output.platform_output.accesskit_update.unwrap();
-        let field = |(id, node): &(NodeId, egui::accesskit::Node)| {
-            (node.role() == Role::NumberInput && node.label() == Some("Disparity")).then_some(*id)
-        };
-        if self.disparity.is_none() {
-            self.disparity = update.nodes.iter().find_map(field);
-            self.texts = update
-                .nodes
-                .iter()
-                .filter_map(|(_, node)| node.label().map(str::to_owned))
-                .collect();
-        }
+        self.nodes = output.platform_output.accesskit_update.unwrap().nodes;
         triangles
+    }
+
+    /// The field that the label `name` belongs to.
+    fn field(&self, name: &str) -> Option<&(NodeId, Node)> {
+        let labels: Vec<NodeId> = self
+            .nodes
+            .iter()
+            .filter(|(_, node)| node.value() == Some(name))
+            .map(|(id, _)| *id)
+            .collect();
+        let named = |node: &Node| node.label() == Some(name) || node.labelled_by().iter().any(|label| labels.contains(label));
+        self.nodes.iter().find(|(_, node)| node.role() == Role::NumberInput && named(node))
+    }
+
+    fn disparity(&self) -> (NodeId, Option<String>) {
+        let (id, node) = self.field(Field::Disparity.name()).unwrap();
+        (*id, node.value().map(str::to_owned))
     }
 
     /// At rest with everything shown.
@@ -117,10 +121,7 @@ impl Program {
         for _ in 0..FRAMES_TO_REST {
             program.frame(Vec::new());
         }
-        assert!(
-            program.texts.iter().any(|text| text == "Height of the camera"),
-            "the geometry is shown"
-        );
+        assert!(program.field("Height of the camera").is_some(), "the geometry is shown");
         program
     }
 
@@ -130,11 +131,15 @@ impl Program {
         let request = ActionRequest {
             action: Action::Focus,
             target_tree: TreeId::ROOT,
-            target_node: program.disparity.unwrap(),
+            target_node: program.disparity().0,
             data: None,
         };
         program.frame(vec![Event::AccessKitActionRequest(request)]);
         program.frame(Vec::new());
+        let before = program.disparity();
+        program.step(true);
+        program.frame(Vec::new());
+        assert_ne!(program.disparity(), before, "the key changes the disparity");
         program
     }
 
