@@ -404,7 +404,9 @@ impl Inputs {
     ///
     /// A field with something unreadable in it is not missing: it has a note of its own.
     pub fn missing(&self) -> Vec<Note> {
-        let blank = |field: &Field| self.entry(*field).is_blank();
+        let free = self.unknown.map(|(_, field)| field);
+        // What is solved for is not missing.
+        let blank = |field: &Field| self.entry(*field).is_blank() && free != Some(*field);
         let touched = |method: &Method| method.own_fields().iter().any(|field| !blank(field));
         let mut missing: Vec<Note> = Vec::new();
         let any_touched = Method::ALL.iter().any(touched);
@@ -869,6 +871,17 @@ mod tests {
         let mut both = Example::CoffeeMug.inputs();
         both.entry_mut(Field::RealWidth).text = "1".into();
         assert_eq!(fields(&both), [Field::ImageWidth]);
+    }
+
+    #[test]
+    fn what_is_solved_for_is_not_missing() {
+        let mut inputs = with(Field::FocalLength, "700");
+        inputs.entry_mut(Field::Disparity).text = "50".into();
+        inputs.unknown = Some((Method::Stereo, Field::Baseline));
+        inputs.distance.text = "1.4".into();
+        assert_eq!(inputs.missing(), []);
+        let found = inputs.assess().unknown.unwrap().outcome.unwrap();
+        assert!((found.value - 0.1).abs() < 1e-12, "{found:?}");
     }
 
     #[test]
