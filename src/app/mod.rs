@@ -16,7 +16,6 @@ use calculator::Calculator;
 use command::Command;
 use egui::accesskit::Role;
 use egui::{Align, Button, CentralPanel, Frame, Margin, Panel, RichText, Stroke, ThemePreference, Ui, UiBuilder, vec2};
-use learn::Learn;
 use saved::{Saved, Screen, Settings};
 use sheet::Sheet;
 use theme::Layout;
@@ -69,7 +68,6 @@ pub struct App {
     stored: Saved,
     history: History,
     calculator: Calculator,
-    learn: Learn,
     notice: Option<Notice>,
     lists_keys: bool,
     pending: Vec<Command>,
@@ -110,7 +108,6 @@ impl App {
             history: History::new(saved.inputs.clone()),
             stored: saved,
             calculator: Calculator::default(),
-            learn: Learn::default(),
             notice,
             lists_keys: false,
             pending: Vec::new(),
@@ -305,7 +302,7 @@ impl eframe::App for App {
             ui.vertical_centered(|ui| {
                 ui.set_max_width(ui.available_width().min(theme::CONTENT_WIDTH));
                 ui.with_layout(egui::Layout::top_down(Align::Min), |ui| match self.settings.screen {
-                    Screen::Learn => self.learn.show(ui, layout, &mut commands),
+                    Screen::Learn => learn::show(ui, layout, &mut commands),
                     Screen::Calculator => {
                         self.calculator.show(ui, layout, &mut self.sheet, &mut self.settings, &mut commands);
                     }

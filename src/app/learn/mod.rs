@@ -1,53 +1,34 @@
 //! The Learn screen: the texts of `assets/learn.md`.
 
-mod markdown;
+mod document;
 
 use super::command::Command;
 use super::theme::{self, Layout};
 use super::widgets::scroll;
 use crate::formats::inputs::Inputs;
 use crate::formats::link;
+use document::DOCUMENT;
 use egui::Ui;
-use markdown::Document;
 
-/// The text, shown here and built into the site's own page.
-pub const TEXT: &str = include_str!("../../../assets/learn.md");
-
-/// The text, taken apart once.
-#[derive(Debug)]
-pub struct Learn {
-    document: Document,
-}
-
-impl Default for Learn {
-    fn default() -> Self {
-        Self {
-            document: Document::parse(TEXT),
-        }
-    }
-}
-
-impl Learn {
-    /// Draws the screen. A link to an example adds the command that opens it.
-    pub fn show(&self, ui: &mut Ui, layout: Layout, commands: &mut Vec<Command>) {
-        let mut followed = None;
-        scroll::column(ui, "learn", |ui| {
-            ui.vertical_centered(|ui| {
-                ui.set_max_width(ui.available_width().min(theme::TEXT_WIDTH + 2.0 * theme::GAP));
-                ui.with_layout(egui::Layout::top_down(egui::Align::Min), |ui| {
-                    theme::card(theme::palette(ui)).show(ui, |ui| {
-                        ui.set_width(ui.available_width());
-                        followed = self.document.show(ui, layout.control_height());
-                    });
-                    ui.add_space(layout.gap());
+/// Draws the screen. A link to an example adds the command that opens it.
+pub fn show(ui: &mut Ui, layout: Layout, commands: &mut Vec<Command>) {
+    let mut followed = None;
+    scroll::column(ui, "learn", |ui| {
+        ui.vertical_centered(|ui| {
+            ui.set_max_width(ui.available_width().min(theme::TEXT_WIDTH + 2.0 * theme::GAP));
+            ui.with_layout(egui::Layout::top_down(egui::Align::Min), |ui| {
+                theme::card(theme::palette(ui)).show(ui, |ui| {
+                    ui.set_width(ui.available_width());
+                    followed = document::show(ui, DOCUMENT, layout.control_height());
                 });
+                ui.add_space(layout.gap());
             });
         });
-        if let Some(target) = followed {
-            let mut inputs = Inputs::default();
-            if link::apply(&target, &mut inputs) {
-                commands.push(Command::Open(Box::new(inputs), "The example is filled in."));
-            }
+    });
+    if let Some(target) = followed {
+        let mut inputs = Inputs::default();
+        if link::apply(target, &mut inputs) {
+            commands.push(Command::Open(Box::new(inputs), "The example is filled in."));
         }
     }
 }
@@ -55,7 +36,81 @@ impl Learn {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
+    use super::document::{Block, Span};
     use super::*;
+
+    const TEXT: &str = include_str!("../../../assets/learn.md");
+
+    /// Everything that the blocks say, in order.
+    fn words_of(blocks: &[Block], said: &mut String) {
+        let say = |spans: &[Span], said: &mut String| {
+            said.extend(spans.iter().map(|span| span.text));
+            said.push('\n');
+        };
+        for block in blocks {
+            match block {
+                Block::Heading(_, title) => said.push_str(&format!("{title}\n")),
+                Block::Paragraph(spans) => say(spans, said),
+                Block::List { items, .. } => items.iter().for_each(|item| words_of(item, said)),
+                Block::Quote(inside) => words_of(inside, said),
+                Block::Formula(lines) => said.push_str(&format!("{}\n", lines.join("\n"))),
+                Block::Table { header, rows } => {
+                    let rows = std::iter::once(header).chain(rows.iter());
+                    rows.flat_map(|row| row.iter()).for_each(|cell| say(cell, said));
+                }
+            }
+        }
+    }
+
+    fn words(text: &str) -> Vec<&str> {
+        text.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect()
+    }
+
+    #[test]
+    fn the_screen_has_every_word_of_the_markdown_in_its_order() {
+        let mut said = String::new();
+        words_of(DOCUMENT, &mut said);
+        let mut expected = String::new();
+        for line in TEXT.lines().filter(|line| !line.starts_with("```")) {
+            // What Markdown means by signs: the number of an item, the target of a link.
+            let item = line.trim_start();
+            let text = item.trim_start_matches(|c: char| c.is_ascii_digit());
+            let mut rest = if text.starts_with(". ") { text } else { item };
+            while let Some((before, link)) = rest.split_once("](") {
+                expected.push_str(before);
+                rest = link.split_once(')').unwrap().1;
+            }
+            expected.push_str(rest);
+            expected.push('\n');
+        }
+        assert_eq!(words(&said), words(&expected));
+    }
+
+    #[test]
+    fn the_blocks_are_of_the_kinds_that_the_markdown_has() {
+        let count = |is: fn(&Block) -> bool| DOCUMENT.iter().filter(|block| is(block)).count();
+        let lines = |starts: fn(&str) -> bool| TEXT.lines().filter(|line| starts(line)).count();
+        assert_eq!(
+            count(|block| matches!(block, Block::Heading(1, _))),
+            lines(|line| line.starts_with("# "))
+        );
+        assert_eq!(
+            count(|block| matches!(block, Block::Heading(2, _))),
+            lines(|line| line.starts_with("## "))
+        );
+        assert_eq!(
+            count(|block| matches!(block, Block::Heading(3, _))),
+            lines(|line| line.starts_with("### "))
+        );
+        assert_eq!(count(|block| matches!(block, Block::Formula(_))), lines(|line| line == "```math"));
+        assert_eq!(
+            count(|block| matches!(block, Block::Table { .. })),
+            lines(|line| line.starts_with("|--"))
+        );
+        assert!(count(|block| matches!(block, Block::Quote(_))) > 0);
+        assert!(count(|block| matches!(block, Block::List { first: Some(1), .. })) > 0);
+        assert!(count(|block| matches!(block, Block::List { first: None, .. })) > 0);
+    }
 
     #[test]
     fn both_examples_are_linked_and_their_links_load_them() {

@@ -1,0 +1,236 @@
+//! The Learn text as blocks, drawn with the program's own type and roles. `build.rs` makes them from `assets/learn.md`.
+
+use crate::app::theme;
+use crate::app::widgets::table::{Cell, row, table};
+use crate::app::widgets::text;
+use egui::accesskit::Role;
+use egui::text::{LayoutJob, TextFormat};
+use egui::{Button, FontId, RichText, Stroke, Ui, UiBuilder, vec2};
+
+/// The text.
+pub const DOCUMENT: &[Block] = include!(concat!(env!("OUT_DIR"), "/learn.rs"));
+
+/// A piece of the text that stands for itself.
+#[derive(Debug)]
+pub enum Block {
+    /// The level, 1 for the title, and the words.
+    Heading(usize, &'static str),
+    Paragraph(&'static [Span]),
+    /// `first` is the number of the first item, where items are numbered.
+    List {
+        first: Option<u64>,
+        items: &'static [&'static [Self]],
+    },
+    Quote(&'static [Self]),
+    /// One formula a line.
+    Formula(&'static [&'static str]),
+    Table {
+        header: &'static [&'static [Span]],
+        rows: &'static [&'static [&'static [Span]]],
+    },
+}
+
+/// Words that look the same and lead to the same place.
+#[derive(Debug)]
+pub struct Span {
+    pub text: &'static str,
+    pub style: Style,
+    pub link: Option<&'static str>,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct Style {
+    pub strong: bool,
+    pub emphasis: bool,
+    pub code: bool,
+}
+
+/// Draws `blocks`. Returns the target of a link that was followed to within the program (`#…`); links to elsewhere are opened
+/// by egui.
+pub fn show(ui: &mut Ui, blocks: &[Block], target_height: f32) -> Option<&'static str> {
+    let mut followed = None;
+    show_blocks(ui, blocks, target_height, &mut followed);
+    followed
+}
+
+fn plain(spans: &[Span]) -> String {
+    spans.iter().map(|span| span.text).collect()
+}
+
+const READING_SIZE: f32 = 15.5;
+const BETWEEN_BLOCKS: f32 = 10.0;
+
+fn show_blocks(ui: &mut Ui, blocks: &[Block], target_height: f32, followed: &mut Option<&'static str>) {
+    let palette = theme::palette(ui);
+    for (number, block) in blocks.iter().enumerate() {
+        match block {
+            Block::Heading(level, title) => {
+                let (size, before) = match level {
+                    1 => (26.0, 0.0),
+                    2 => (20.0, 20.0),
+                    _ => (16.5, 10.0),
+                };
+                if number > 0 {
+                    ui.add_space(before);
+                }
+                text::heading(ui, title, *level, theme::strong(size), palette.text);
+                ui.add_space(theme::STEP);
+            }
+            Block::Paragraph(spans) => {
+                paragraph(ui, spans, target_height, followed);
+                ui.add_space(BETWEEN_BLOCKS);
+            }
+            Block::Quote(inside) => {
+                let frame = egui::Frame::new().inner_margin(egui::Margin {
+                    left: 14,
+                    right: 10,
+                    top: 10,
+                    bottom: 2,
+                });
+                let response = frame
+                    .fill(palette.highlight)
+                    .corner_radius(theme::CONTROL_RADIUS)
+                    .show(ui, |ui| {
+                        ui.set_width(ui.available_width());
+                        show_blocks(ui, inside, target_height, followed);
+                    })
+                    .response;
+                let bar = egui::Rect::from_min_size(response.rect.min, vec2(3.0, response.rect.height()));
+                ui.painter().rect_filled(bar, 1.5, palette.orange);
+                ui.add_space(BETWEEN_BLOCKS);
+            }
+            Block::Formula(lines) => {
+                egui::Frame::new()
+                    .fill(palette.highlight)
+                    .corner_radius(theme::CONTROL_RADIUS)
+                    .inner_margin(egui::Margin::symmetric(16, 12))
+                    .show(ui, |ui| {
+                        ui.set_width(ui.available_width());
+                        for line in *lines {
+                            ui.label(RichText::new(*line).font(theme::strong(16.0)).color(palette.text));
+                        }
+                    });
+                ui.add_space(BETWEEN_BLOCKS);
+            }
+            Block::List { first, items } => list(ui, *first, items, target_height, followed),
+            Block::Table { header, rows } => {
+                show_table(ui, header, rows);
+                ui.add_space(BETWEEN_BLOCKS);
+            }
+        }
+    }
+}
+
+fn list(ui: &mut Ui, first: Option<u64>, items: &[&[Block]], target_height: f32, followed: &mut Option<&'static str>) {
+    const INDENT: f32 = 24.0;
+    ui.scope_builder(UiBuilder::new().accessibility_role(Role::List), |ui| {
+        for (item, number) in items.iter().zip(first.unwrap_or(0)..) {
+            ui.scope_builder(UiBuilder::new().accessibility_role(Role::ListItem), |ui| {
+                ui.horizontal_top(|ui| {
+                    ui.spacing_mut().item_spacing.x = 0.0;
+                    let mark = if first.is_some() { format!("{number}.") } else { "•".to_owned() };
+                    ui.allocate_ui_with_layout(vec2(INDENT, 0.0), egui::Layout::left_to_right(egui::Align::Min), |ui| {
+                        ui.set_min_width(INDENT);
+                        ui.label(RichText::new(mark).size(READING_SIZE));
+                    });
+                    ui.vertical(|ui| {
+                        ui.set_width(ui.available_width());
+                        show_blocks(ui, item, target_height, followed);
+                    });
+                });
+            });
+        }
+    });
+}
+
+fn paragraph(ui: &mut Ui, spans: &[Span], target_height: f32, followed: &mut Option<&'static str>) {
+    let palette = theme::palette(ui);
+    if let [
+        Span {
+            text, link: Some(target), ..
+        },
+    ] = spans
+    {
+        // A paragraph that is nothing but a link asks to be pressed.
+        let button = Button::new(RichText::new(*text).color(palette.on_blue))
+            .fill(palette.blue)
+            .stroke(Stroke::NONE);
+        if ui.add(button.min_size(vec2(0.0, target_height))).clicked() {
+            follow(ui, target, followed);
+        }
+        return;
+    }
+    if spans.iter().all(|span| span.link.is_none()) {
+        ui.label(job(ui, spans, READING_SIZE));
+        return;
+    }
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 0.0;
+        for span in spans {
+            match &span.link {
+                Some(target) => {
+                    if ui.link(RichText::new(span.text).size(READING_SIZE)).clicked() {
+                        follow(ui, target, followed);
+                    }
+                }
+                None => {
+                    ui.label(job(ui, std::slice::from_ref(span), READING_SIZE));
+                }
+            }
+        }
+    });
+}
+
+fn follow(ui: &Ui, target: &'static str, followed: &mut Option<&'static str>) {
+    if target.starts_with('#') {
+        *followed = Some(target);
+    } else {
+        ui.ctx().open_url(egui::OpenUrl::new_tab(target));
+    }
+}
+
+fn job(ui: &Ui, spans: &[Span], size: f32) -> LayoutJob {
+    let palette = theme::palette(ui);
+    let mut job = LayoutJob::default();
+    for span in spans {
+        let font: FontId = if span.style.strong || span.style.code {
+            theme::strong(size)
+        } else {
+            theme::regular(size)
+        };
+        let mut format = TextFormat::simple(font, palette.text);
+        format.italics = span.style.emphasis;
+        format.line_height = Some(size * 1.5);
+        job.append(span.text, 0.0, format);
+    }
+    job
+}
+
+fn show_table(ui: &mut Ui, header: &[&[Span]], rows: &[&[&[Span]]]) {
+    let palette = theme::palette(ui);
+    let shares: Vec<f32> = (0..header.len())
+        .map(|column| {
+            let lengths = std::iter::once(header).chain(rows.iter().copied());
+            let longest = lengths.filter_map(|row| Some(plain(row.get(column)?).chars().count())).max();
+            // A column gets room by what it holds, but neither all nor nothing.
+            f32::from(u8::try_from(longest.unwrap_or(1).clamp(8, 44)).unwrap_or(u8::MAX))
+        })
+        .collect();
+    table(ui, &header.iter().map(|cell| plain(cell)).collect::<Vec<_>>().join(", "), |ui| {
+        let headers = header.iter().map(|cell| Cell {
+            text: LayoutJob::simple(plain(cell), theme::strong(theme::SMALL_SIZE), palette.muted, 0.0),
+            role: Role::ColumnHeader,
+            align_right: false,
+        });
+        row(ui, headers.collect(), &shares);
+        for cells in rows {
+            let cells = cells.iter().enumerate().map(|(column, cell)| Cell {
+                text: job(ui, cell, theme::BODY_SIZE),
+                role: if column == 0 { Role::RowHeader } else { Role::Cell },
+                align_right: false,
+            });
+            let cells = cells.collect();
+            row(ui, cells, &shares);
+        }
+    });
+}
