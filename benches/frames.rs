@@ -191,8 +191,8 @@ fn changed_and_simulated(bencher: Bencher, screen: &str) {
     });
 }
 
-/// A simulation goes on for eight of ten frames.
-const FRAMES_OF_A_STEP: u32 = 10;
+/// Time for both simulations to end, and a few frames of rest.
+const FRAMES_OF_A_STEP: u32 = 50;
 
 /// From nothing to the first frame, fonts and all: what starting costs besides downloading and compiling.
 #[divan::bench(args = ["empty", "filled"])]

@@ -13,7 +13,7 @@ const NO_DOFFS: Measured = Measured::exact(0.0);
 fn distribution(model: Model) -> Distribution {
     let mut experiment = MonteCarlo::new(model, 2026);
     experiment.draw(DRAWS);
-    experiment.finish()
+    experiment.distribution()
 }
 
 fn disparity_only(sigma: f64) -> Model {
@@ -140,17 +140,17 @@ fn the_draws_do_not_depend_on_how_they_are_cut_up() {
         pieces.draw(piece);
     }
     assert_eq!(pieces.drawn(), 10_000);
-    assert_eq!(whole.clone().finish(), pieces.finish());
+    assert_eq!(whole.distribution(), pieces.distribution());
     let mut other = MonteCarlo::new(mug(), 8);
     other.draw(10_000);
-    assert_ne!(whole.finish(), other.finish(), "another seed draws other numbers");
+    assert_ne!(whole.distribution(), other.distribution(), "another seed draws other numbers");
 }
 
 #[test]
 fn the_draws_are_the_same_to_the_last_bit_on_every_platform() {
     let mut experiment = MonteCarlo::new(disparity_only(20.0), 1);
     experiment.draw(100_000);
-    let found = experiment.finish();
+    let found = experiment.distribution();
     let bits = [found.interval_68.near, found.median, found.interval_68.far].map(|z| z.unwrap().m().to_bits());
     // What x86-64 Linux gave; WebAssembly gives the same.
     assert_eq!(bits, GOLDEN);
@@ -160,7 +160,7 @@ const GOLDEN: [u64; 3] = [4_607_178_851_000_419_253, 4_608_983_108_259_789_326, 
 
 #[test]
 fn nothing_is_drawn_before_the_first_draw() {
-    let found = MonteCarlo::new(mug(), 1).finish();
+    let found = MonteCarlo::new(mug(), 1).distribution();
     assert_eq!((found.drawn, found.median, found.histogram), (0, None, None));
     assert_eq!((found.share_infinite, found.share_zero), (0.0, 0.0));
 }
@@ -186,7 +186,7 @@ fn speed() {
     let start = std::time::Instant::now();
     experiment.draw(draws);
     let drawn = start.elapsed();
-    let median = experiment.finish().median;
+    let median = experiment.distribution().median;
     let finished = start.elapsed() - drawn;
     let per_draw = |time: std::time::Duration| time.as_secs_f64() * 1e9 / f64::from(draws);
     println!(
@@ -212,7 +212,7 @@ proptest! {
         let Ok(model) = Model::stereo(f, b, d, NO_DOFFS) else { return Ok(()) };
         let mut experiment = MonteCarlo::new(model, seed);
         experiment.draw(300);
-        let found = experiment.finish();
+        let found = experiment.distribution();
         let ends = [
             found.interval_95.near, found.interval_68.near, found.median, found.interval_68.far, found.interval_95.far,
         ];

@@ -71,7 +71,8 @@ impl Program {
         let platform = machine.clone();
         let mut harness = Harness::builder()
             .with_size(size)
-            .with_max_steps(12)
+            // A simulation goes on for twenty frames.
+            .with_max_steps(30)
             .build_eframe(move |cc| App::new(cc, Box::new(platform)));
         harness.run();
         Self { harness, machine }
@@ -595,7 +596,7 @@ fn where_first_order_fails_a_simulation_stands_beside_it() {
     program.type_into(D, "1");
     program.press("Add uncertainty");
     type_sigma(&mut program, D, "0.8");
-    program.harness.run_steps(16);
+    program.harness.run_steps(30);
     assert!(program.says("known to worse than 10 %"));
     assert!(program.says("100000 draws"), "{}", program.text());
     // About one draw in nine has no positive disparity.

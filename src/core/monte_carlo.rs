@@ -21,6 +21,7 @@ use super::uncertainty::Model;
 pub struct MonteCarlo {
     model: Model,
     normal: Normal,
+    /// In metres, sorted.
     finite: Vec<f64>,
     infinite: u32,
 }
@@ -95,6 +96,8 @@ impl MonteCarlo {
                 None => self.infinite = self.infinite.saturating_add(1),
             }
         }
+        // Sorted in each piece, no piece takes long: the stable sort finds what is in order already and merges it.
+        self.finite.sort_by(f64::total_cmp);
     }
 
     /// The number of draws so far.
@@ -102,11 +105,10 @@ impl MonteCarlo {
         count(self.finite.len()).saturating_add(self.infinite)
     }
 
-    /// What the draws show. (To look before the end, finish a clone.)
-    pub fn finish(mut self) -> Distribution {
+    /// What the draws so far show.
+    pub fn distribution(&self) -> Distribution {
         let drawn = self.drawn();
         let share = |part: u32| f64::from(part) / f64::from(drawn.max(1));
-        self.finite.sort_unstable_by(f64::total_cmp);
         let at = |quantile| quantile_of(&self.finite, drawn, quantile).map(Length::from_m);
         Distribution {
             drawn,

@@ -49,13 +49,11 @@ pub fn row(ui: &mut Ui, cells: Vec<Cell>, shares: &[f32]) {
         x += width;
     }
     let (rect, _) = ui.allocate_exact_size(vec2(full, height + 2.0 * PADDING), Sense::hover());
-    let builder = UiBuilder::new().accessibility_role(Role::Row).max_rect(rect);
-    ui.new_child(builder).scope(|ui| {
-        for (role, left, galley) in placed {
-            let place = Rect::from_min_size(pos2(rect.left() + left, rect.top() + PADDING), galley.size());
-            let builder = UiBuilder::new().accessibility_role(role).max_rect(place);
-            ui.new_child(builder).put(place, Label::new(galley));
-        }
-    });
+    let mut row = ui.new_child(UiBuilder::new().accessibility_role(Role::Row).max_rect(rect));
+    for (role, left, galley) in placed {
+        let place = Rect::from_min_size(pos2(rect.left() + left, rect.top() + PADDING), galley.size());
+        row.new_child(UiBuilder::new().accessibility_role(role).max_rect(place))
+            .add(Label::new(galley));
+    }
     ui.painter().hline(rect.x_range(), rect.bottom(), Stroke::new(1.0, palette.line));
 }
