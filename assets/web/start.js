@@ -24,21 +24,36 @@ function show(failure) {
   element('fatal').hidden = false;
 }
 
-function checkBrowser() {
+/** A function that returns `i8x16.popcnt (i8x16.splat 0)`: the smallest program with a vector in it. */
+const VECTOR_PROGRAM = new Uint8Array([
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
+]);
+
+function checkWebAssembly() {
   if (typeof WebAssembly !== 'object') {
     throw new Failure(
       'This browser does not run WebAssembly, which the program is made of.',
       `Some browsers switch it off in a strict security mode: allow it for this page. Otherwise: ${CURRENT_BROWSER}`,
     );
   }
-  const context = document.createElement('canvas').getContext('webgl2');
-  if (!context) {
-    throw new Failure(
-      'This browser does not offer WebGL 2, with which the program draws.',
-      `Switch on hardware acceleration in the browser's settings. Otherwise: ${CURRENT_BROWSER}`,
-    );
+  if (!WebAssembly.validate(VECTOR_PROGRAM)) {
+    throw new Failure('This browser, or the processor under it, lacks the vector instructions of WebAssembly, which the program uses.', CURRENT_BROWSER);
   }
-  context.getExtension('WEBGL_lose_context')?.loseContext();
+}
+
+/** On the canvas that the program will draw on: a context of its own only for this check would cost a tenth of a second. */
+function checkGraphics() {
+  if (element('app').getContext('webgl2')) return;
+  throw new Failure(
+    'This browser does not offer WebGL 2, with which the program draws.',
+    `Switch on hardware acceleration in the browser's settings. Otherwise: ${CURRENT_BROWSER}`,
+  );
+}
+
+/** Settles when the page is on the screen, or soon if nobody is looking: a page in the background is not painted. */
+function painted() {
+  const seen = new Promise((resolve) => new PerformanceObserver(resolve).observe({ type: 'paint', buffered: true }));
+  return Promise.race([seen, new Promise((resolve) => setTimeout(resolve, 1000))]);
 }
 
 const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
@@ -79,16 +94,21 @@ async function download(url, size) {
 }
 
 async function start() {
-  checkBrowser();
+  checkWebAssembly();
   // Trunk writes both names, with their hashes, into the page.
   const script = document.querySelector('link[rel="modulepreload"]');
   const program = document.querySelector('link[rel="preload"][type="application/wasm"]');
-  const [{ response, progress }, { default: run }] = await Promise.all([
+  const arriving = Promise.all([
     download(program.href, Number(program.dataset.bytes)),
     import(script.href).catch((error) => {
       throw new Failure('The program could not be downloaded.', 'Check the connection and reload the page.', String(error));
     }),
   ]);
+  // What it fails with is said below; without this it would also count as unheard while the graphics are checked.
+  arriving.catch(() => {});
+  await painted();
+  checkGraphics();
+  const [{ response, progress }, { default: run }] = await arriving;
   try {
     await run({ module_or_path: response });
   } catch (error) {

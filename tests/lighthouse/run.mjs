@@ -34,6 +34,9 @@ async function audit(url, config) {
   try {
     const { lhr } = await lighthouse(url, { port: chrome.port, output: 'json', logLevel: 'error' }, config);
     if (lhr.runtimeError) throw new Error(`Lighthouse could not audit the page: ${lhr.runtimeError.message}`);
+    // A page that only says why it cannot run is quick, too.
+    const marks = lhr.audits['user-timings'].details.items.map(({ name }) => name);
+    if (!marks.includes('first-frame')) throw new Error('The program did not start, so there is nothing to audit.');
     return lhr;
   } finally {
     chrome.kill();

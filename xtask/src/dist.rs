@@ -47,6 +47,10 @@ pub(crate) fn build() -> Result<PathBuf, String> {
     tools::fetch_crates()?;
     step("Build the page (3 to 6 minutes on two cores the first time)", || {
         let mut trunk = command("trunk", &["build", "--release", "--offline", "--skip-version-check"]);
+        if let Some(flag) = nameless_crates() {
+            // Cargo adds it to the flags of .cargo/config.toml.
+            trunk.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", flag);
+        }
         // Trunk takes NO_COLOR=1, which is how others understand it, for a mistake.
         run(trunk.env("PATH", &path).env_remove("NO_COLOR"))?;
         let dist = root().join("dist");
@@ -54,6 +58,15 @@ pub(crate) fn build() -> Result<PathBuf, String> {
         site::build(&dist)?;
         Ok(dist)
     })
+}
+
+/// The flag that keeps the folder of the crates, and with it the name of whoever builds, out of the program's panic messages.
+fn nameless_crates() -> Option<String> {
+    let cargo_home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
+    let folder = cargo_home.or_else(|| Some(std::env::home_dir()?.join(".cargo")))?;
+    let folder = folder.to_str()?;
+    // Cargo would cut it in two at a space.
+    (!folder.contains(' ')).then(|| format!("--remap-path-prefix={folder}=cargo"))
 }
 
 /// Tells the page how large its program is: a host that compresses does not say so, and the bar needs an end.
