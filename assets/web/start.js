@@ -124,9 +124,28 @@ function onUncaught(error) {
   }
 }
 
+/** Puts aside what the program has stored, which may be why it does not run. */
+function startAfresh() {
+  const { key } = element('afresh').dataset;
+  const stored = localStorage.getItem(key);
+  if (stored !== null) localStorage.setItem(`${key}/set aside`, stored);
+  localStorage.removeItem(key);
+  location.reload();
+}
+
+/** Makes room for the keyboard of a phone, where the browser only lays it over the page. */
+function followKeyboard() {
+  const { height, scale } = visualViewport;
+  // Whoever has enlarged the page sees a part of it, as wanted.
+  const covered = scale < 1.01 && height < innerHeight - 1;
+  element('app').style.height = covered ? `${height}px` : '';
+}
+
 addEventListener('error', (event) => onUncaught(event.error));
 addEventListener('unhandledrejection', (event) => onUncaught(event.reason));
 element('reload').addEventListener('click', () => location.reload());
+element('afresh').addEventListener('click', startAfresh);
+globalThis.visualViewport?.addEventListener('resize', followKeyboard);
 element('app').addEventListener('webglcontextlost', () => {
   show(
     new Failure(

@@ -19,6 +19,7 @@ use egui::{Align, Button, CentralPanel, Frame, Margin, Panel, RichText, Stroke, 
 use saved::{Saved, Screen, Settings};
 use sheet::Sheet;
 use theme::Layout;
+pub use theme::SystemColors;
 use widgets::{quantity_field, text};
 
 /// What the program needs from the machine it runs on.
@@ -46,6 +47,11 @@ pub trait Platform {
         false
     }
 
+    /// The colours that a person has chosen for everything on the screen, if so.
+    fn forced_colors(&mut self) -> Option<SystemColors> {
+        None
+    }
+
     /// The part behind the `#` of a link that was followed to the program, once.
     fn link(&mut self) -> Option<String> {
         None
@@ -70,6 +76,7 @@ pub struct App {
     calculator: Calculator,
     notice: Option<Notice>,
     lists_keys: bool,
+    forced_colors: Option<SystemColors>,
     pending: Vec<Command>,
 }
 
@@ -110,6 +117,7 @@ impl App {
             calculator: Calculator::default(),
             notice,
             lists_keys: false,
+            forced_colors: None,
             pending: Vec::new(),
         };
         app.focus_first_field(ctx);
@@ -255,6 +263,11 @@ impl eframe::App for App {
             Some(Err(reason)) => self.say(&reason, None),
             None => {}
         }
+        let forced = self.platform.forced_colors();
+        if forced != self.forced_colors {
+            self.forced_colors = forced;
+            theme::force(ctx, forced);
+        }
         if self.platform.stored_elsewhere() {
             self.say(
                 "Another tab changed what is stored. Both go on; what is changed last is what a reload brings back.",
@@ -298,14 +311,17 @@ impl eframe::App for App {
             top: 16,
             bottom: 0,
         });
-        CentralPanel::no_frame().frame(background).show(ui, |ui| {
-            ui.vertical_centered(|ui| {
-                ui.set_max_width(ui.available_width().min(theme::CONTENT_WIDTH));
-                ui.with_layout(egui::Layout::top_down(Align::Min), |ui| match self.settings.screen {
-                    Screen::Learn => learn::show(ui, layout, &mut commands),
-                    Screen::Calculator => {
-                        self.calculator.show(ui, layout, &mut self.sheet, &mut self.settings, &mut commands);
-                    }
+        // A name of its own: else everything in it would be another thing to egui, and to a screen reader, when a bar comes or goes.
+        ui.scope_builder(UiBuilder::new().scope_id(egui::Id::unique("screen")), |ui| {
+            CentralPanel::no_frame().frame(background).show(ui, |ui| {
+                ui.vertical_centered(|ui| {
+                    ui.set_max_width(ui.available_width().min(theme::CONTENT_WIDTH));
+                    ui.with_layout(egui::Layout::top_down(Align::Min), |ui| match self.settings.screen {
+                        Screen::Learn => learn::show(ui, layout, &mut commands),
+                        Screen::Calculator => {
+                            self.calculator.show(ui, layout, &mut self.sheet, &mut self.settings, &mut commands);
+                        }
+                    });
                 });
             });
         });

@@ -93,9 +93,69 @@ const DARK: Palette = Palette {
     amber: Color32::from_rgb(0xf0, 0xb4, 0x5a),
 };
 
+/// Colours that a person has chosen for everything on the screen, by the names that CSS has for them.
+///
+/// Source: CSS Color Module Level 4, 6.2 "System Colors".
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SystemColors {
+    /// Behind everything.
+    pub canvas: Color32,
+    /// Text on it.
+    pub canvas_text: Color32,
+    /// A link on it.
+    pub link_text: Color32,
+    /// Behind selected text.
+    pub highlight: Color32,
+    /// The border of a control.
+    pub button_border: Color32,
+}
+
+impl SystemColors {
+    /// There are few of them, so what colour told apart is left to words, places and lines.
+    fn palette(self) -> Palette {
+        let Self {
+            canvas,
+            canvas_text,
+            link_text,
+            highlight,
+            button_border,
+        } = self;
+        Palette {
+            page: canvas,
+            surface: canvas,
+            field: canvas,
+            highlight: canvas,
+            line: canvas_text,
+            border: button_border,
+            text: canvas_text,
+            muted: canvas_text,
+            blue: link_text,
+            on_blue: canvas,
+            // The text that is selected keeps its colour, so what is behind it must not come too near.
+            blue_tint: canvas.lerp_to_gamma(highlight, 0.3),
+            orange: canvas_text,
+            orange_text: canvas_text,
+            orange_tint: canvas,
+            green: canvas_text,
+            green_tint: canvas,
+            red: canvas_text,
+            red_tint: canvas,
+            amber: canvas_text,
+        }
+    }
+}
+
+fn forced_id() -> egui::Id {
+    egui::Id::unique("palette of system colors")
+}
+
 /// The colours of the theme that `ui` is drawn in.
 pub fn palette(ui: &egui::Ui) -> &'static Palette {
-    if ui.visuals().dark_mode { &DARK } else { &LIGHT }
+    match ui.data(|data| data.get_temp(forced_id())) {
+        Some(forced) => forced,
+        None if ui.visuals().dark_mode => &DARK,
+        None => &LIGHT,
+    }
 }
 
 /// The step that all distances are multiples of.
@@ -205,8 +265,19 @@ impl Layout {
 /// Gives `ctx` the fonts and the style of both themes.
 pub fn install(ctx: &egui::Context) {
     install_fonts(ctx);
+    force(ctx, None);
+}
+
+/// Draws both themes in `colors`, or each in its own.
+pub fn force(ctx: &egui::Context, colors: Option<SystemColors>) {
+    // Leaked, because whoever draws keeps it: some bytes each time that a person chooses other colours.
+    let forced = colors.map(|colors| &*Box::leak(Box::new(colors.palette())));
+    ctx.data_mut(|data| match forced {
+        Some(palette) => _ = data.insert_temp(forced_id(), palette),
+        None => data.remove::<&'static Palette>(forced_id()),
+    });
     for (theme, palette) in [(egui::Theme::Light, &LIGHT), (egui::Theme::Dark, &DARK)] {
-        ctx.style_mut_of(theme, |style| set_style(style, palette));
+        ctx.style_mut_of(theme, |style| set_style(style, forced.unwrap_or(palette)));
     }
 }
 
@@ -310,6 +381,41 @@ mod tests {
         };
         let (a, b) = (luminance(a), luminance(b));
         (a.max(b) + 0.05) / (a.min(b) + 0.05)
+    }
+
+    /// Themes like those of high contrast that Windows 11 comes with.
+    #[test]
+    fn chosen_colours_stay_legible() {
+        let rgb = |hex: u32| {
+            let [_, r, g, b] = hex.to_be_bytes();
+            Color32::from_rgb(r, g, b)
+        };
+        for (name, [canvas, canvas_text, link_text, highlight, button_border]) in [
+            ("Aquatic", [0x20_20_20, 0xff_ff_ff, 0x75_e9_fc, 0x8e_e3_f0, 0xff_ff_ff]),
+            ("Desert", [0xff_fa_ef, 0x3d_3d_3d, 0x1c_5e_75, 0x90_39_09, 0x20_20_20]),
+            ("Dusk", [0x2d_32_36, 0xff_ff_ff, 0x70_eb_de, 0xa1_bf_de, 0xb6_f6_f0]),
+            ("Night sky", [0x00_00_00, 0xff_ff_ff, 0x80_80_ff, 0xd6_b4_fd, 0xff_ee_32]),
+        ] {
+            let colors = SystemColors {
+                canvas: rgb(canvas),
+                canvas_text: rgb(canvas_text),
+                link_text: rgb(link_text),
+                highlight: rgb(highlight),
+                button_border: rgb(button_border),
+            };
+            let p = colors.palette();
+            for (what, front, back) in [
+                ("text", p.text, p.page),
+                ("selected text", p.text, p.blue_tint),
+                ("link", p.blue, p.surface),
+                ("main button", p.on_blue, p.blue),
+                ("error", p.red, p.surface),
+            ] {
+                let got = contrast(front, back);
+                assert!(got >= 4.5, "{name}: {what} has {got:.2}");
+            }
+            assert!(contrast(p.border, p.field) >= 3.0, "{name}: border");
+        }
     }
 
     #[test]

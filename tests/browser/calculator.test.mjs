@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test as it } from 'node:test';
+import { setTimeout as sleep } from 'node:timers/promises';
 import { Key, startBench, until } from './page.mjs';
 
 const FX = 'Focal length (fx)';
@@ -119,4 +120,29 @@ it('a link fills in the fields that it names, and a reload keeps what was typed 
   await page.says(/0\.700/);
   await page.reload();
   assert.equal(await page.value(DISPARITY), '100');
+});
+
+it('nothing is computed while nothing happens, for ten seconds, with and without a field in use', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.press('Coffee mug (stereo)');
+  await page.says(/1\.400/);
+  // Every pass ends with drawing. (eframe asks in each animation frame whether there is anything to do; that is no pass.)
+  await page.run(`
+    document.body.dataset.work = '';
+    for (const name of ['clear', 'drawElements']) {
+      const draw = WebGL2RenderingContext.prototype[name];
+      WebGL2RenderingContext.prototype[name] = function (...values) {
+        document.body.dataset.work += name + ' ';
+        return draw.apply(this, values);
+      };
+    }`);
+  const work = () => page.run("const { work } = document.body.dataset; document.body.dataset.work = ''; return work");
+  for (const use of ['focus', 'blur']) {
+    await page.run(`arguments[0].${use}()`, await page.field(DISPARITY));
+    await sleep(1000);
+    assert.match(await work(), /clear .*drawElements/, 'what is counted does happen');
+    await sleep(10_000);
+    assert.equal(await work(), '', `after ${use}`);
+  }
 });

@@ -68,6 +68,11 @@ const chromium = {
     });
   },
 
+  /** As if somebody had chosen colours for everything on the screen. */
+  async chooseColours(driver) {
+    await driver.sendDevToolsCommand('Emulation.setEmulatedMedia', { features: [{ name: 'forced-colors', value: 'active' }] });
+  },
+
   async allowScripts(driver, allowed) {
     await driver.sendDevToolsCommand('Emulation.setScriptExecutionDisabled', { value: !allowed });
   },
@@ -125,6 +130,7 @@ const firefox = {
     'show a page as narrow as a phone': 'its window is at least 450 pixels wide',
     'read the console': LACKS_A_LOG,
     'run a script before the page': 'that needs WebDriver BiDi, which these tests do not speak',
+    'choose the colours': 'it takes them from the desktop',
   },
   // Without a screen it has no WebGL.
   needsScreen: true,
@@ -179,6 +185,9 @@ const webkit = {
     'read the clipboard': 'MiniBrowser refuses the clipboard to every page and has no way to allow it',
     'leave a page with Tab': 'MiniBrowser goes on with the first element of the page, whichever page it is',
     'choose the colour scheme': 'MiniBrowser takes it from the desktop',
+    'choose the colours': 'WebKit has no such mode',
+    'take its clock from a window': 'it keeps window.performance, whatever a page defines',
+    'make its window lower': 'WebKitWebDriver calls the height of 420 pixels invalid',
     'go without WebGL or WebAssembly': 'MiniBrowser cannot switch them off',
     'read the console': LACKS_A_LOG,
     'run a script before the page': 'WebKitWebDriver has no such command',

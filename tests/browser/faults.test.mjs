@@ -8,6 +8,7 @@ const FX = 'Focal length (fx)';
 const BASELINE = 'Camera baseline (b)';
 const DISPARITY = 'Disparity (d)';
 const BEFORE_THE_PAGE = 'run a script before the page';
+const A_CLOCK = 'take its clock from a window';
 
 let bench;
 before(async () => {
@@ -49,6 +50,42 @@ it('lost graphics lose nothing that was entered', async (test) => {
   assert.equal(await page.value(BASELINE), '100');
   assert.equal(await page.value(DISPARITY), '50');
   await page.says(/1\.400/);
+});
+
+/** Takes the window its clock, which every browser has: eframe counts on one and panics in its next pass. */
+async function panic(page) {
+  const tab = await page.element('Learn', 'tab');
+  await page.run("Object.defineProperty(window, 'performance', { configurable: true, get: () => null }); arguments[0].click()", tab);
+}
+
+it('a panic is said, and a reload brings back what was entered', async (test) => {
+  if (bench.unless(A_CLOCK)) return test.skip(bench.unless(A_CLOCK));
+  const page = await bench.page(test);
+  await page.start();
+  await fillMug(page);
+  await mugIsStored(page);
+  await panic(page);
+  assert.match(await until('a message', () => page.failure()), /stopped because of an error in it/);
+  assert.match(await page.run("return document.getElementById('fatal-detail').textContent"), /panicked at/);
+  await page.run("document.getElementById('reload').click()");
+  await until('the program again', async () => (await page.failure()) === '' && (await page.firstFrameMs()) !== null);
+  assert.equal(await page.value(FX), '700');
+  await page.says(/1\.400/);
+});
+
+it('what is stored need not be read again if it may be why the program stops', async (test) => {
+  if (bench.unless(A_CLOCK)) return test.skip(bench.unless(A_CLOCK));
+  const page = await bench.page(test);
+  await page.start();
+  await fillMug(page);
+  await mugIsStored(page);
+  await page.reload();
+  await panic(page);
+  await until('a message', () => page.failure());
+  await page.run("document.getElementById('afresh').click()");
+  await until('the program again', async () => (await page.failure()) === '' && (await page.firstFrameMs()) !== null);
+  assert.equal(await page.value(FX), '');
+  assert.match(await page.run(`return localStorage.getItem('${STORAGE_KEY}/set aside')`), /"700"/, 'nothing is thrown away');
 });
 
 const REFUSALS = [

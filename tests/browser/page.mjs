@@ -1,6 +1,7 @@
 // The page as a person meets it: what it shows, its fields and buttons, the keyboard, the clipboard.
 
 import { setTimeout as sleep } from 'node:timers/promises';
+import { PNG } from 'pngjs';
 import { Key } from 'selenium-webdriver';
 import { startEngine } from './engines.mjs';
 import { startServer } from './server.mjs';
@@ -14,6 +15,11 @@ const SELECTORS = {
   link: 'a, [role=link]',
   tab: '[role=tab]',
 };
+const CANDIDATES = `
+  const [css, name] = arguments;
+  const labels = (one) => (one.getAttribute('aria-labelledby') ?? '').split(' ').map((id) => document.getElementById(id)?.textContent);
+  return [...document.querySelectorAll(css)].filter((one) =>
+    [one.getAttribute('aria-label'), labels(one).join(' '), one.textContent].some((words) => words?.trim() === name));`;
 const PATIENCE_MS = 30_000;
 
 /** A server and a browser driver for one file of tests. */
@@ -54,6 +60,18 @@ export async function until(what, look) {
     if (Date.now() > end) throw new Error(`Waited ${PATIENCE_MS / 1000} s in vain: ${what}`);
     await sleep(50);
   }
+}
+
+/** The most frequent colour of a picture (0xrrggbb), the part of the picture that has it, and its lightness, 0 to 255. */
+export function background(png) {
+  const { data } = PNG.sync.read(png);
+  const counts = new Map();
+  for (let at = 0; at < data.length; at += 4) {
+    const colour = data.readUIntBE(at, 3);
+    counts.set(colour, (counts.get(colour) ?? 0) + 1);
+  }
+  const [colour, count] = [...counts].reduce((most, next) => (next[1] > most[1] ? next : most));
+  return { colour, share: count / (data.length / 4), lightness: (((colour >> 16) & 255) + ((colour >> 8) & 255) + (colour & 255)) / 3 };
 }
 
 export class Page {
@@ -128,19 +146,15 @@ export class Page {
     await this.consoleProblems();
   }
 
-  /** The elements of the program with one of these roles. A canvas has none: they are those of its accessible mirror. */
-  async elements(...roles) {
-    const found = [];
-    for (const element of await this.driver.findElements({ css: `${MIRROR} :is(${roles.map((role) => SELECTORS[role]).join()})` })) {
-      found.push({ element, name: await element.getAccessibleName() });
-    }
-    return found;
-  }
-
+  /** The element with one of these roles and this name. The canvas has none: they are those of its accessible mirror. */
   async element(name, ...roles) {
+    const css = `${MIRROR} :is(${roles.map((role) => SELECTORS[role]).join()})`;
     return until(`"${name}" (${roles.join(' or ')})`, async () => {
-      const found = await this.elements(...roles);
-      return found.find((candidate) => candidate.name === name)?.element;
+      // A script is quick to say which may have the name; what assistive technology is told is asked of those alone.
+      for (const candidate of await this.run(CANDIDATES, css, name)) {
+        if ((await candidate.getAccessibleName()) === name) return candidate;
+      }
+      return undefined;
     });
   }
 

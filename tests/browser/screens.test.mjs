@@ -5,8 +5,7 @@ import { mkdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { after, before, test as it } from 'node:test';
-import { PNG } from 'pngjs';
-import { startBench, until } from './page.mjs';
+import { background, startBench, until } from './page.mjs';
 
 const FOLDER = path.resolve(import.meta.dirname, '../../target/screenshots');
 const DEVICES = [
@@ -42,18 +41,6 @@ before(async () => {
   await mkdir(FOLDER, { recursive: true });
 });
 after(() => bench.close());
-
-/** The part of the picture that has its most frequent colour, and the lightness of that colour, 0 to 255. */
-function background(png) {
-  const { data } = PNG.sync.read(png);
-  const counts = new Map();
-  for (let at = 0; at < data.length; at += 4) {
-    const colour = data.readUIntBE(at, 3);
-    counts.set(colour, (counts.get(colour) ?? 0) + 1);
-  }
-  const [colour, count] = [...counts].reduce((most, next) => (next[1] > most[1] ? next : most));
-  return { share: count / (data.length / 4), lightness: (((colour >> 16) & 255) + ((colour >> 8) & 255) + (colour & 255)) / 3 };
-}
 
 /** Two pictures in a row that are equal: nothing moves any more. */
 async function settledScreenshot(page) {

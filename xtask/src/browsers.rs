@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::step::{cargo, command, output, root, run, step};
+use crate::step::{command, output, root, run, step};
+use crate::tools;
 
 const BROWSERS: &[&str] = &[
     "chromium",
@@ -53,21 +54,15 @@ struct Chromium {
     driver: PathBuf,
 }
 
-/// Runs the tests in tests/browser on the page in `dist`.
+/// Runs the tests in tests/browser on the page in `dist`: all of them in Chromium, those of behaviour in every engine.
 pub(crate) fn test(dist: &Path) -> Result<(), String> {
     check_node()?;
+    let folder = root().join("tests/browser");
+    install_packages("Install the packages of the browser tests", &folder)?;
     let chromium = find_or_install_chromium()?;
-    install_packages()?;
-    let mut files = test_files()?;
-    files.sort();
-    let chromium = [("CHROMIUM", chromium.browser), ("CHROMEDRIVER", chromium.driver)];
-    run_tests("Chromium", "chromium", &files, &chromium, dist)
-}
+    let programs = [("CHROMIUM", chromium.browser), ("CHROMEDRIVER", chromium.driver)];
+    run_tests("Chromium", "chromium", &test_files()?, &programs, dist)?;
 
-/// Runs the tests of behaviour in the other engines, against the page in `dist`.
-pub(crate) fn test_others(dist: &Path) -> Result<(), String> {
-    check_node()?;
-    install_packages()?;
     let files: Vec<String> = EVERYWHERE.iter().map(|name| format!("tests/browser/{name}.test.mjs")).collect();
     let must = std::env::var_os("CI").is_some_and(|ci| ci == "true");
     let mut untested = Vec::new();
@@ -115,27 +110,12 @@ fn find_or_install(other: &Other, must: bool) -> Result<Vec<(&'static str, PathB
         install.extend(other.packages);
         let installed = apt_get(&install);
         if other.needs_geckodriver && geckodriver().is_none() {
-            let folder = tools_folder();
-            // Optimising it takes far longer than it will ever run.
-            let mut install = cargo(&[
-                "install",
-                "geckodriver",
-                "--version",
-                GECKODRIVER_VERSION,
-                "--debug",
-                "--force",
-                "--root",
-            ]);
-            run(install.arg(folder))?;
+            tools::cargo_install("geckodriver", GECKODRIVER_VERSION, &[])?;
         }
         if (other.find)().is_some() { Ok(()) } else { installed }
     })
     .map_err(|reason| format!("{reason}\nFor {}, {advice}", other.name))?;
     (other.find)().ok_or(advice)
-}
-
-fn tools_folder() -> PathBuf {
-    root().join("target").join("tools")
 }
 
 fn find_firefox() -> Option<Vec<(&'static str, PathBuf)>> {
@@ -156,7 +136,7 @@ fn geckodriver() -> Option<PathBuf> {
     ]
     .into_iter()
     .flatten()
-    .chain([PathBuf::from("geckodriver"), tools_folder().join("bin").join("geckodriver")])
+    .chain([PathBuf::from("geckodriver"), tools::programs().join("geckodriver")])
     .find(|driver| output(&mut command(driver, &["--version"])).is_some())
     .map(on_path)
 }
@@ -206,16 +186,15 @@ fn check_node() -> Result<(), String> {
     }
 }
 
-/// Installs the packages of tests/browser unless they are there already.
-fn install_packages() -> Result<(), String> {
-    let folder = root().join("tests/browser");
+/// Installs the npm packages that `folder` asks for, unless they are there already.
+pub(crate) fn install_packages(what: &str, folder: &Path) -> Result<(), String> {
     let changed = |file: &str| std::fs::metadata(folder.join(file)).and_then(|file| file.modified()).ok();
     if changed("node_modules/.package-lock.json") >= changed("package-lock.json") {
         return Ok(());
     }
-    step("Install the packages of the browser tests", || {
+    step(what, || {
         let npm = if cfg!(windows) { "npm.cmd" } else { "npm" };
-        run(command(npm, &["ci", "--no-audit", "--no-fund"]).current_dir(&folder))
+        run(command(npm, &["ci", "--no-audit", "--no-fund"]).current_dir(folder))
     })
 }
 
@@ -223,13 +202,14 @@ fn test_files() -> Result<Vec<String>, String> {
     let folder = "tests/browser";
     let entries = std::fs::read_dir(root().join(folder)).map_err(|error| format!("{folder} cannot be read: {error}."))?;
     let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
-    let files: Vec<String> = names
+    let mut files: Vec<String> = names
         .filter(|name| name.ends_with(".test.mjs"))
         .map(|name| format!("{folder}/{name}"))
         .collect();
     if files.is_empty() {
         return Err(format!("{folder} holds no tests."));
     }
+    files.sort();
     Ok(files)
 }
 

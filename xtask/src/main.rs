@@ -17,8 +17,7 @@ const HELP: &str = "\
 Builds, serves and tests Depth Calculator. Every command sets up what it needs first.
 
   cargo xtask serve [--port 8080]   build the page and serve it on this computer
-  cargo xtask test                  all tests, also those in a real browser
-  cargo xtask engines               the browser tests of behaviour in Firefox and WebKit
+  cargo xtask test                  all tests, also those of size and in Chromium, Firefox and WebKit
   cargo xtask check                 formatting, lints, and that the mathematics builds alone
   cargo xtask dist                  build the page into dist/, for any static host
   cargo xtask size                  what a first visit downloads, against its budget
@@ -43,10 +42,9 @@ fn main() -> ExitCode {
             Err(_not_a_port) => Err(format!("A port is a number from 1 to 65535, not \"{port}\".")),
         },
         ["test"] => test::run_all(),
-        ["engines"] => dist::build().and_then(|dist| browsers::test_others(&dist)),
         ["check"] => check::run_all(),
         ["dist"] => dist::print(),
-        ["size"] => size::run(),
+        ["size"] => dist::build().and_then(|dist| size::check(&dist)),
         ["lighthouse"] => lighthouse::audit(),
         other => Err(format!("There is no command \"{}\".\n\n{HELP}", other.join(" "))),
     };

@@ -4,18 +4,16 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use crate::dist;
 use crate::step::{command, output};
 
 /// With brotli. At 10 Mbit/s that is 0.8 s.
 const BUDGET: u64 = 1_000_000;
 
-/// Builds the page, prints the size of every file of the first visit and what the program consists of.
+/// Prints the size of every file of the first visit to the page in `dist`, and what the program consists of.
 /// Err: a sentence, where the files are larger than the budget.
-pub(crate) fn run() -> Result<(), String> {
-    let dist = dist::build()?;
-    let files = first_load(&dist)?;
-    let sizes = sizes(&dist, &files)?;
+pub(crate) fn check(dist: &Path) -> Result<(), String> {
+    let files = first_load(dist)?;
+    let sizes = sizes(dist, &files)?;
 
     println!(
         "\n{:>12} {:>12} {:>12}  file of the first visit",

@@ -1,7 +1,7 @@
 //! `cargo xtask test`: every test, from the formulas to a real browser.
 
 use crate::step::{cargo, run, step};
-use crate::{browsers, dist};
+use crate::{browsers, dist, size};
 
 /// Runs all tests; the browsers get the page exactly as `cargo xtask dist` leaves it.
 pub(crate) fn run_all() -> Result<(), String> {
@@ -9,5 +9,6 @@ pub(crate) fn run_all() -> Result<(), String> {
         run(&mut cargo(&["test", "--locked", "--workspace"]))
     })?;
     let dist = dist::build()?;
+    step("Size of the first visit", || size::check(&dist))?;
     browsers::test(&dist)
 }

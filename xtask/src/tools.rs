@@ -55,20 +55,29 @@ fn install(program: &str, package: &str, version: &str, options: &[&str], time: 
         return Ok(());
     }
     step::step(&format!("Install {wanted} into target/tools, once ({time})"), || {
-        let folder = tools_folder();
-        // Optimising these tools takes far longer than they will ever run.
-        let mut install = cargo(&["install", package, "--version", version, "--debug", "--force", "--root"]);
-        run(install.arg(folder).args(options))
+        cargo_install(package, version, options)
     })
+}
+
+/// Builds a package's programs into [`programs`].
+pub(crate) fn cargo_install(package: &str, version: &str, options: &[&str]) -> Result<(), String> {
+    // Optimising these tools, or describing them for a debugger, takes far longer than they will ever run.
+    let mut install = cargo(&["install", package, "--version", version, "--debug", "--force", "--root"]);
+    run(install.arg(tools_folder()).args(options).env("CARGO_PROFILE_DEV_DEBUG", "0"))
 }
 
 fn tools_folder() -> PathBuf {
     root().join("target").join("tools")
 }
 
+/// Where [`cargo_install`] puts programs.
+pub(crate) fn programs() -> PathBuf {
+    tools_folder().join("bin")
+}
+
 fn path_with_tools() -> Result<OsString, String> {
     let rest = std::env::var_os("PATH").unwrap_or_default();
-    let folders = std::iter::once(tools_folder().join("bin")).chain(std::env::split_paths(&rest));
+    let folders = std::iter::once(programs()).chain(std::env::split_paths(&rest));
     std::env::join_paths(folders).map_err(|error| format!("A folder's name cannot stand in PATH: {error}."))
 }
 

@@ -5,14 +5,16 @@ use std::rc::Rc;
 
 use wasm_bindgen::{JsCast as _, JsValue};
 
-use crate::app::Platform;
+use crate::app::{Platform, SystemColors};
 
 /// Where the state is stored. The number is the version of the form; one origin may serve several programs.
-const STORAGE_KEY: &str = "depth-calculator/v1";
+pub(super) const STORAGE_KEY: &str = "depth-calculator/v1";
 
 thread_local! {
     /// Another tab has stored something. The browser says so through an event.
     static FOREIGN_CHANGE: Cell<bool> = const { Cell::new(false) };
+    /// What the person chose for everything on the screen may have changed, or has not been looked at.
+    static COLORS_CHANGED: Cell<bool> = const { Cell::new(true) };
 }
 
 /// Notes that another tab has stored something.
@@ -20,11 +22,18 @@ pub(super) fn note_foreign_change() {
     FOREIGN_CHANGE.set(true);
 }
 
+/// Notes that the person may have chosen other colours.
+pub(super) fn note_changed_colors() {
+    COLORS_CHANGED.set(true);
+}
+
 /// Stores in the browser's local storage and copies to the clipboard.
 #[derive(Default)]
 pub(super) struct Browser {
     /// The outcome of the last copy. Shared, because the browser answers later.
     copied: Rc<RefCell<Option<Result<(), String>>>>,
+    /// What was found when the colours were looked at last.
+    forced_colors: Option<SystemColors>,
 }
 
 impl Platform for Browser {
@@ -71,6 +80,17 @@ impl Platform for Browser {
         FOREIGN_CHANGE.take()
     }
 
+    fn forced_colors(&mut self) -> Option<SystemColors> {
+        if COLORS_CHANGED.take() {
+            self.forced_colors = if super::matches("(forced-colors: active)") {
+                system_colors()
+            } else {
+                None
+            };
+        }
+        self.forced_colors
+    }
+
     fn link(&mut self) -> Option<String> {
         let location = web_sys::window()?.location();
         let fragment = location.hash().ok()?;
@@ -98,6 +118,38 @@ fn clipboard() -> Result<web_sys::Clipboard, String> {
         return Err("This browser copies only from pages that arrive over https or from this computer.".to_owned());
     }
     Ok(clipboard)
+}
+
+/// The colours as the browser has them, read from an element that wears them for a moment.
+fn system_colors() -> Option<SystemColors> {
+    let window = web_sys::window()?;
+    let document = window.document()?;
+    let probe: web_sys::HtmlElement = document.create_element("span").ok()?.dyn_into().ok()?;
+    document.body()?.append_child(&probe).ok()?;
+    let color = |name: &str| {
+        // Else it would wear what everything wears.
+        probe.style().set_css_text(&format!("forced-color-adjust:none;color:{name}"));
+        let style = window.get_computed_style(&probe).ok()??;
+        rgb(&style.get_property_value("color").ok()?)
+    };
+    let colors = (|| {
+        Some(SystemColors {
+            canvas: color("Canvas")?,
+            canvas_text: color("CanvasText")?,
+            link_text: color("LinkText")?,
+            highlight: color("Highlight")?,
+            button_border: color("ButtonBorder")?,
+        })
+    })();
+    probe.remove();
+    colors
+}
+
+/// A colour as computed styles have it, `rgb(255, 255, 255)`.
+fn rgb(text: &str) -> Option<egui::Color32> {
+    let inside = text.split_once('(')?.1.trim_end_matches(')');
+    let mut numbers = inside.split(',').map(|number| number.trim().parse::<u8>().ok());
+    Some(egui::Color32::from_rgb(numbers.next()??, numbers.next()??, numbers.next()??))
 }
 
 /// What an exception of the browser says, with a full stop.

@@ -87,10 +87,25 @@ fn listen(ctx: &egui::Context) {
         browser::note_foreign_change();
         waking.request_repaint();
     });
-    let still = window.match_media("(prefers-reduced-motion: reduce)").ok().flatten();
-    if still.is_some_and(|query| query.matches()) {
+    if matches("(prefers-reduced-motion: reduce)") {
         ctx.all_styles_mut(|style| style.animation_time = 0.0);
     }
+    // Another set of chosen colours is dark or light as well, and some browsers tell only of that.
+    for query in ["(forced-colors: active)", "(prefers-color-scheme: dark)"] {
+        if let Ok(Some(query)) = window.match_media(query) {
+            let waking = ctx.clone();
+            on(&query, "change", move || {
+                browser::note_changed_colors();
+                waking.request_repaint();
+            });
+        }
+    }
+}
+
+/// Whether a media query of CSS holds now.
+fn matches(query: &str) -> bool {
+    let list = web_sys::window().and_then(|window| window.match_media(query).ok().flatten());
+    list.is_some_and(|list| list.matches())
 }
 
 fn on(target: &web_sys::EventTarget, event: &str, act: impl FnMut() + 'static) {

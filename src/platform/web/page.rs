@@ -2,6 +2,8 @@
 
 use wasm_bindgen::JsCast as _;
 
+use super::browser::STORAGE_KEY;
+
 /// The element of the page with this id.
 pub(super) fn element(id: &str) -> Option<web_sys::Element> {
     web_sys::window()?.document()?.get_element_by_id(id)
@@ -28,8 +30,21 @@ pub(super) fn show_failure(what: &str, todo: &str, detail: &str) {
     set_text("fatal-todo", todo);
     set_text("fatal-detail", detail);
     set_hidden("fatal-more", detail.is_empty());
+    offer_empty_form();
     set_hidden("loading", true);
     set_hidden("fatal", false);
+}
+
+/// Where the program has not run long, what it read at the start may be why it failed, and would be again.
+fn offer_empty_form() {
+    const LONG_MS: f64 = 10_000.0;
+    let performance = web_sys::window().and_then(|window| window.performance());
+    let ran_long = performance.is_some_and(|performance| performance.now() > LONG_MS);
+    if let Some(button) = element("afresh").filter(|_| !ran_long) {
+        // assets/web/start.js puts aside what is stored there.
+        button.set_attribute("data-key", STORAGE_KEY).ok();
+        set_hidden("afresh", false);
+    }
 }
 
 fn set_text(id: &str, text: &str) {

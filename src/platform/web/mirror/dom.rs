@@ -324,7 +324,17 @@ impl Dom {
         SIGNALS.with(|signals| signals.quiet.set(false));
     }
 
-    /// Focuses the empty place before or after all elements, for the browser to go on from.
+    /// Focuses the first or last element without telling egui, for the browser to go on from, out of the mirror. (The empty
+    /// places beyond them will not do: from there Firefox goes round.)
+    pub(crate) fn focus_outermost(&self, last: bool) {
+        let mut stops = self.page.stops();
+        match if last { stops.next_back() } else { stops.next() } {
+            Some(id) => self.focus_quietly(id),
+            None => self.focus_edge(last),
+        }
+    }
+
+    /// Focuses the empty place before or after all elements, for the browser to go on from, into the mirror.
     pub(crate) fn focus_edge(&self, after: bool) {
         let [first, last] = &self.edges;
         focus(if after { last } else { first });

@@ -300,7 +300,7 @@ fn modifiers(event: &KeyboardEvent) -> egui::Modifiers {
     }
 }
 
-/// Tab and Escape, before anybody else hears of them.
+/// Tab, Escape and the keys of the browser, before anybody else hears of them.
 fn key_on_its_way(event: &Event) {
     let Some(event) = event.dyn_ref::<KeyboardEvent>().filter(|event| !event.is_composing()) else {
         return;
@@ -315,13 +315,17 @@ fn key_on_its_way(event: &Event) {
             return;
         }
         let leaving = SIGNALS.with(|signals| signals.leaving.get());
+        let is_mac = dom.ctx().os() == egui::os::OperatingSystem::Mac;
+        if on_canvas && keys::is_browsers(&key, modifiers(event), is_mac) {
+            event.stop_immediate_propagation();
+        }
         match key.as_str() {
             "Shift" => (),
             "Escape" => SIGNALS.with(|signals| signals.leaving.set(!dom.page().has_popup())),
             "Tab" if !event.ctrl_key() && !event.alt_key() && !event.meta_key() => {
                 let backwards = event.shift_key();
                 if leaving {
-                    dom.focus_edge(!backwards);
+                    dom.focus_outermost(!backwards);
                 } else if on_canvas {
                     match dom.page().focus {
                         Some(id) => dom.focus_quietly(id),

@@ -29,6 +29,18 @@ pub(crate) enum Direction {
     Down,
 }
 
+/// Does the browser do something of its own with `key`, pressed anywhere on the page, that eframe would keep it from doing
+/// while the canvas has the focus? Saving, printing, opening and its settings, and going back and forth in the history.
+pub(crate) fn is_browsers(key: &str, modifiers: Modifiers, is_mac: bool) -> bool {
+    let command = if is_mac { modifiers.mac_cmd } else { modifiers.ctrl };
+    match key.to_ascii_lowercase().as_str() {
+        "p" | "s" | "o" | "," => command && !modifiers.alt,
+        // On a Mac this moves by words.
+        "arrowleft" | "arrowright" => modifiers.alt && !modifiers.ctrl && !modifiers.shift && !is_mac,
+        _ => false,
+    }
+}
+
 /// Decides about `key`, in the words of `KeyboardEvent.key`.
 pub(crate) fn route(kind: Kind, key: &str, modifiers: Modifiers) -> Route {
     const SHARED: Route = Route::Egui { only: false };

@@ -154,14 +154,16 @@ impl Page {
 
     /// The first stop of the Tab key inside the dialog that keeps everything else from being used.
     pub(crate) fn first_stop_in_dialog(&self) -> Option<NodeId> {
-        self.elements
-            .iter()
-            .find(|element| element.attributes.contains_key("aria-modal"))
-            .and_then(|dialog| {
-                let is_stop = |element: &&Element| element.attributes.get("tabindex").is_some_and(|index| index == "0");
-                let mut stops = self.elements.iter().filter(is_stop);
-                stops.find(|stop| self.contains(dialog.id, stop.id)).map(|stop| stop.id)
-            })
+        let mut elements = self.elements.iter();
+        let dialog = elements.find(|element| element.attributes.contains_key("aria-modal"))?;
+        self.stops().find(|stop| self.contains(dialog.id, *stop))
+    }
+
+    /// What Tab stops at, in its order.
+    pub(crate) fn stops(&self) -> impl DoubleEndedIterator<Item = NodeId> {
+        let is_stop = |element: &&Element| element.attributes.get("tabindex").is_some_and(|index| index == "0");
+        let stops = self.elements.iter().filter(is_stop).map(|element| element.id);
+        stops.filter(|id| self.can_be_reached(*id))
     }
 
     fn shut_out_all_but_the_last_dialog(&mut self) {

@@ -6,7 +6,7 @@ use egui::accesskit::{Action, Affine, Live, Node, NodeId, Rect, Toggled};
 use egui::{Modifiers, Role};
 
 use super::diff::{Edit, Urgency, announcements, diff};
-use super::keys::{Route, route};
+use super::keys::{Route, is_browsers, route};
 use super::model::{Nodes, Page, Place, bare_number, element_id, node_id, number, text_position};
 use super::roles::Kind;
 
@@ -394,6 +394,21 @@ fn tab_and_the_keys_of_the_browser_stay_with_the_browser() {
             assert_ne!(route(kind, key, modifiers), Route::Egui { only: true }, "{kind:?} {key}");
         }
     }
+}
+
+#[test]
+fn the_canvas_does_not_keep_the_browsers_keys() {
+    const CTRL: Modifiers = Modifiers::CTRL;
+    const CMD: Modifiers = Modifiers::MAC_CMD;
+    for key in ["p", "P", "s", "o", ","] {
+        assert!(is_browsers(key, CTRL, false) && is_browsers(key, CMD, true), "{key}");
+        assert!(!is_browsers(key, Modifiers::NONE, false), "{key} alone is typed");
+        assert!(!is_browsers(key, CTRL, true), "{key} moves the caret on a Mac");
+    }
+    assert!(is_browsers("ArrowLeft", Modifiers::ALT, false));
+    assert!(!is_browsers("ArrowLeft", Modifiers::ALT, true), "by a word");
+    assert!(!is_browsers("ArrowLeft", CTRL, false), "by a word");
+    assert!(!is_browsers("c", CTRL, false), "eframe leaves it to the browser by itself");
 }
 
 #[test]
