@@ -391,10 +391,10 @@ mod tests {
             Color32::from_rgb(r, g, b)
         };
         for (name, [canvas, canvas_text, link_text, highlight, button_border]) in [
-            ("Aquatic", [0x20_20_20, 0xff_ff_ff, 0x75_e9_fc, 0x8e_e3_f0, 0xff_ff_ff]),
-            ("Desert", [0xff_fa_ef, 0x3d_3d_3d, 0x1c_5e_75, 0x90_39_09, 0x20_20_20]),
-            ("Dusk", [0x2d_32_36, 0xff_ff_ff, 0x70_eb_de, 0xa1_bf_de, 0xb6_f6_f0]),
-            ("Night sky", [0x00_00_00, 0xff_ff_ff, 0x80_80_ff, 0xd6_b4_fd, 0xff_ee_32]),
+            ("Aquatic", [0x0020_2020, 0x00ff_ffff, 0x0075_e9fc, 0x008e_e3f0, 0x00ff_ffff]),
+            ("Desert", [0x00ff_faef, 0x003d_3d3d, 0x001c_5e75, 0x0090_3909, 0x0020_2020]),
+            ("Dusk", [0x002d_3236, 0x00ff_ffff, 0x0070_ebde, 0x00a1_bfde, 0x00b6_f6f0]),
+            ("Night sky", [0x0000_0000, 0x00ff_ffff, 0x0080_80ff, 0x00d6_b4fd, 0x00ff_ee32]),
         ] {
             let colors = SystemColors {
                 canvas: rgb(canvas),
