@@ -24,20 +24,12 @@ function show(failure) {
   element('fatal').hidden = false;
 }
 
-/** A function that returns `i8x16.popcnt (i8x16.splat 0)`: the smallest program with a vector in it. */
-const VECTOR_PROGRAM = new Uint8Array([
-  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
-]);
-
 function checkWebAssembly() {
   if (typeof WebAssembly !== 'object') {
     throw new Failure(
       'This browser does not run WebAssembly, which the program is made of.',
       `Some browsers switch it off in a strict security mode: allow it for this page. Otherwise: ${CURRENT_BROWSER}`,
     );
-  }
-  if (!WebAssembly.validate(VECTOR_PROGRAM)) {
-    throw new Failure('This browser, or the processor under it, lacks the vector instructions of WebAssembly, which the program uses.', CURRENT_BROWSER);
   }
 }
 
@@ -84,7 +76,8 @@ async function download(url, size) {
       controller.enqueue(chunk);
     },
     flush() {
-      progress.arrived = true;
+      // WebKit ends a stream like this also where the connection has ended before the file.
+      progress.arrived = bytes >= total;
       element('progress').textContent = 'Starting…';
     },
   });
@@ -120,7 +113,7 @@ async function start() {
 /** Traps that no panic announces: memory or stack exhausted. A panic has already been shown by the program. */
 function onUncaught(error) {
   if (typeof WebAssembly === 'object' && (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)) {
-    show(new Failure('The program has stopped because of an error in it.', 'Reload the page to go on.', String(error)));
+    show(new Failure('The program has stopped because of an error in it.', 'Reload the page to go on.', `${error}\n${error.stack}`));
   }
 }
 

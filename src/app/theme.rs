@@ -125,7 +125,8 @@ impl SystemColors {
             surface: canvas,
             field: canvas,
             highlight: canvas,
-            line: canvas_text,
+            // A line behind a number must not strike it through.
+            line: canvas.lerp_to_gamma(canvas_text, 0.35),
             border: button_border,
             text: canvas_text,
             muted: canvas_text,

@@ -30,7 +30,13 @@ const SCREENS = {
     await page.press('Add uncertainty');
     await page.fill(`Uncertainty of ${FX}`, '1%');
     await page.fill('Uncertainty of Disparity (d)', '0.5');
+    await page.press('Range, tilt, ground plane');
     await page.says(/1\.400/);
+  },
+  'the calculator that solves for another quantity': async (page) => {
+    await fillAll(page, '700', '100');
+    await page.press('Solve for another quantity');
+    await page.says(/Solve for/);
   },
   'the calculator with mistakes': async (page) => {
     await fillAll(page, 'seven', '-3', '0');
@@ -40,6 +46,10 @@ const SCREENS = {
   'the explanations': async (page) => {
     await page.press('Learn');
     await page.says(/What this computes/);
+  },
+  'the list of keys': async (page) => {
+    await page.press('Keys');
+    await until('the dialog', () => page.run(`return document.querySelector('${MIRROR} [role=dialog]') !== null`));
   },
   'a dialog': async (page) => {
     await page.press('from lens, FOV or Q…');

@@ -115,15 +115,17 @@ const chromium = {
 /** Changes the window until the page in it has this size: WebDriver knows only the outer size. */
 async function setPageSize(driver, { width, height }) {
   const window = driver.manage().window();
-  for (let attempt = 0; attempt < 3; attempt += 1) {
+  for (let attempt = 0; ; attempt += 1) {
     const [wide, high] = await driver.executeScript('return [innerWidth, innerHeight]');
     if (wide === width && high === height) return;
+    if (attempt === 5) throw new Error(`The page became ${wide} by ${high} pixels large instead of ${width} by ${height}.`);
     const outer = await window.getRect();
     await window.setRect({ x: 0, y: 0, width: outer.width + width - wide, height: outer.height + height - high });
   }
 }
 
 const LACKS_A_LOG = 'its driver gives no log';
+const LACKS_A_COMMAND = 'its driver has no such command';
 
 const firefox = {
   cannot: {
@@ -131,6 +133,8 @@ const firefox = {
     'read the console': LACKS_A_LOG,
     'run a script before the page': 'that needs WebDriver BiDi, which these tests do not speak',
     'choose the colours': 'it takes them from the desktop',
+    'switch scripts off': LACKS_A_COMMAND,
+    'say what keeps a page from being installed': LACKS_A_COMMAND,
   },
   // Without a screen it has no WebGL.
   needsScreen: true,
@@ -182,6 +186,7 @@ const firefox = {
 
 const webkit = {
   cannot: {
+    'show a page as narrow as a phone': 'its window is at least 447 pixels wide',
     'read the clipboard': 'MiniBrowser refuses the clipboard to every page and has no way to allow it',
     'leave a page with Tab': 'MiniBrowser goes on with the first element of the page, whichever page it is',
     'choose the colour scheme': 'MiniBrowser takes it from the desktop',
@@ -190,7 +195,9 @@ const webkit = {
     'make its window lower': 'WebKitWebDriver calls the height of 420 pixels invalid',
     'go without WebGL or WebAssembly': 'MiniBrowser cannot switch them off',
     'read the console': LACKS_A_LOG,
-    'run a script before the page': 'WebKitWebDriver has no such command',
+    'run a script before the page': LACKS_A_COMMAND,
+    'switch scripts off': LACKS_A_COMMAND,
+    'say what keeps a page from being installed': LACKS_A_COMMAND,
   },
   // MiniBrowser has no mode without a window.
   needsScreen: true,

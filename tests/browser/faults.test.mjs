@@ -44,8 +44,7 @@ it('lost graphics lose nothing that was entered', async (test) => {
   await mugIsStored(page);
   await page.run("document.getElementById('app').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()");
   assert.match(await until('a message', () => page.failure()), /took the graphics away/);
-  await page.run("document.getElementById('reload').click()");
-  await until('the program again', async () => (await page.failure()) === '' && (await page.firstFrameMs()) !== null);
+  await page.startAgain('reload');
   assert.equal(await page.value(FX), '700');
   assert.equal(await page.value(BASELINE), '100');
   assert.equal(await page.value(DISPARITY), '50');
@@ -67,8 +66,7 @@ it('a panic is said, and a reload brings back what was entered', async (test) =>
   await panic(page);
   assert.match(await until('a message', () => page.failure()), /stopped because of an error in it/);
   assert.match(await page.run("return document.getElementById('fatal-detail').textContent"), /panicked at/);
-  await page.run("document.getElementById('reload').click()");
-  await until('the program again', async () => (await page.failure()) === '' && (await page.firstFrameMs()) !== null);
+  await page.startAgain('reload');
   assert.equal(await page.value(FX), '700');
   await page.says(/1\.400/);
 });
@@ -82,8 +80,7 @@ it('what is stored need not be read again if it may be why the program stops', a
   await page.reload();
   await panic(page);
   await until('a message', () => page.failure());
-  await page.run("document.getElementById('afresh').click()");
-  await until('the program again', async () => (await page.failure()) === '' && (await page.firstFrameMs()) !== null);
+  await page.startAgain('afresh');
   assert.equal(await page.value(FX), '');
   assert.match(await page.run(`return localStorage.getItem('${STORAGE_KEY}/set aside')`), /"700"/, 'nothing is thrown away');
 });
@@ -179,6 +176,7 @@ it('two windows do not disturb each other, and the last that was typed is kept',
 
   await page.driver.switchTo().window(first);
   await page.frames();
+  await page.says(/Another tab changed what is stored\. Both go on; what is changed last is what a reload brings back\./);
   assert.equal(await page.value(FX), '700', 'nobody’s typing is replaced');
   await page.fill(BASELINE, '100');
   await until('the first in the storage again', async () => (await page.stored())?.includes('"100"'));

@@ -40,7 +40,7 @@ export async function startBench() {
       server.state.changed.clear();
       const driver = await session.open(options);
       test.after(() => driver.quit());
-      const page = new Page(session.engine, server, driver);
+      const page = new Page(session.engine, server, driver, test);
       await page.setScreen({ width: 1280, height: 900 });
       return page;
     },
@@ -75,8 +75,8 @@ export function background(png) {
 }
 
 export class Page {
-  constructor(engine, server, driver) {
-    Object.assign(this, { engine, server, driver });
+  constructor(engine, server, driver, test) {
+    Object.assign(this, { engine, server, driver, test });
   }
 
   setScreen(screen) {
@@ -113,7 +113,17 @@ export class Page {
 
   /** What the page says when the program cannot run; empty while it can. */
   failure() {
-    return this.run("const fatal = document.getElementById('fatal'); return fatal.hidden ? '' : fatal.innerText");
+    // The details are closed until somebody opens them, and say nothing until then.
+    return this.run(
+      "const [fatal, detail] = ['fatal', 'fatal-detail'].map((id) => document.getElementById(id));" +
+        "return fatal.hidden ? '' : `${fatal.innerText}\\n${detail.textContent}`.trim()",
+    );
+  }
+
+  /** Presses one of the buttons of the page that says why the program cannot run, and waits for the program. */
+  async startAgain(button) {
+    await this.run('document.getElementById(arguments[0]).click()', button);
+    await until('the program again', async () => (await this.failure()) === '' && (await this.firstFrameMs()) !== null);
   }
 
   /** Loads the page and waits for it to say why the program cannot run. */
@@ -130,6 +140,8 @@ export class Page {
   }
 
   consoleProblems() {
+    const reason = this.engine.cannot['read the console'];
+    if (reason) this.test.diagnostic(`The console is not looked at: ${reason}.`);
     return this.engine.consoleProblems(this.driver);
   }
 

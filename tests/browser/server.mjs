@@ -40,7 +40,7 @@ export async function startServer() {
         response.destroy();
         return;
       case 'broken':
-        response.end('This is not a program.');
+        response.end(Buffer.alloc(content.length, 'This is not a program. '));
         return;
       case 'held':
         response.setHeader('content-length', content.length);

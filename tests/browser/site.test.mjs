@@ -32,6 +32,7 @@ async function watchPolicy(page) {
 }
 
 it('the Learn page can be read without scripts, and its examples open in the calculator', async (test) => {
+  if (bench.unless('switch scripts off')) return test.skip(bench.unless('switch scripts off'));
   const page = await bench.page(test);
   await page.engine.allowScripts(page.driver, false);
   await page.driver.get(`${bench.server.url}learn.html`);
@@ -53,6 +54,7 @@ it('the Learn page can be read without scripts, and its examples open in the cal
 });
 
 it('the Learn page fits a phone', async (test) => {
+  if (bench.unless('show a page as narrow as a phone')) return test.skip(bench.unless('show a page as narrow as a phone'));
   const page = await bench.page(test);
   await page.setScreen({ width: 320, height: 640 });
   await page.driver.get(`${bench.server.url}learn.html`);
@@ -62,6 +64,7 @@ it('the Learn page fits a phone', async (test) => {
 });
 
 it('the policy refuses nothing that the program needs, and does refuse what it should', async (test) => {
+  if (bench.unless('run a script before the page')) return test.skip(bench.unless('run a script before the page'));
   const page = await bench.page(test);
   await watchPolicy(page);
   await page.start();
@@ -84,6 +87,7 @@ it('the policy refuses nothing that the program needs, and does refuse what it s
 });
 
 it('the page can be installed', async (test) => {
+  if (bench.unless('say what keeps a page from being installed')) return test.skip(bench.unless('say what keeps a page from being installed'));
   const page = await bench.page(test);
   await page.start();
   assert.deepEqual(await page.engine.installProblems(page.driver), []);
@@ -119,7 +123,7 @@ it('a server that keeps silent does not keep anybody waiting for long', async (t
     await sleep(60_000, undefined, { ref: false });
     return text;
   });
-  await page.reload();
+  await openAnew(page);
   assert.ok(asked, 'the network comes first');
   assert.ok(await page.run('return navigator.serviceWorker.controller !== null'));
 });
@@ -128,7 +132,7 @@ it('a new version is offered, and comes when it is asked for', async (test) => {
   const page = await bench.page(test);
   await page.start();
   await kept(page);
-  await page.reload();
+  await openAnew(page);
   assert.equal(await offered(page), '', 'nothing is new');
   const before = await page.run("return document.querySelector('meta[name=build]').content");
   assert.match(before, /^[0-9a-f]{16}$/);
@@ -137,16 +141,16 @@ it('a new version is offered, and comes when it is asked for', async (test) => {
   const rename = (text) => text.replace(before, another);
   bench.server.state.changed.set('sw.js', rename).set('index.html', rename);
   // As the page itself does when somebody comes back to it.
-  await page.run("globalThis.sameDocument = true; document.dispatchEvent(new Event('visibilitychange'))");
+  await page.run("document.body.dataset.same = 'document'; document.dispatchEvent(new Event('visibilitychange'))");
   assert.match(await until('the offer', () => offered(page)), /Reload/);
   await until('its words', async () => /A new version is ready\./.test(await offered(page)));
   await sleep(1000);
-  assert.equal(await page.run('return globalThis.sameDocument'), true, 'nobody is interrupted');
+  assert.equal(await page.run('return document.body.dataset.same'), 'document', 'nobody is interrupted');
   assert.equal((await caches(page)).length, 2, 'the version in use stays until then');
 
   await page.driver.findElement({ css: '#update-now' }).click();
   await until('the new version', () =>
-    page.run("return !globalThis.sameDocument && document.querySelector('meta[name=build]')?.content === arguments[0]", another),
+    page.run("return !document.body.dataset.same && document.querySelector('meta[name=build]')?.content === arguments[0]", another),
   );
   await page.started();
   const left = await until('only the new version kept', async () => {
@@ -165,7 +169,7 @@ it('whoever opens the page anew has the new version at once, without being asked
   const rename = (text) => text.replace(before, 'another-build');
   bench.server.state.changed.set('sw.js', rename).set('index.html', rename);
 
-  await page.reload();
+  await openAnew(page);
   assert.equal(await page.run("return document.querySelector('meta[name=build]').content"), 'another-build');
   await until('the new version kept', async () => {
     const names = await caches(page);
@@ -183,6 +187,12 @@ it('without what keeps it, the page works all the same', async (test) => {
   assert.equal(await page.failure(), '');
   assert.equal(await page.run('return navigator.serviceWorker.controller'), null);
 });
+
+/** Opens the page as somebody does who comes back later. (A browser that is told to load it again may ask the network for everything.) */
+async function openAnew(page) {
+  await page.driver.get('about:blank');
+  await page.start();
+}
 
 function caches(page) {
   return page.run('return caches.keys()');

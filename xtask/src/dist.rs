@@ -48,7 +48,6 @@ pub(crate) fn build() -> Result<PathBuf, String> {
     step("Build the page (3 to 6 minutes on two cores the first time)", || {
         let mut trunk = command("trunk", &["build", "--release", "--offline", "--skip-version-check"]);
         if let Some(flag) = nameless_crates() {
-            // Cargo adds it to the flags of .cargo/config.toml.
             trunk.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", flag);
         }
         // Trunk takes NO_COLOR=1, which is how others understand it, for a mistake.
