@@ -20,6 +20,7 @@ use std::rc::Rc;
 #[derive(Clone, Default)]
 struct Machine {
     stored: Rc<RefCell<Option<String>>>,
+    set_aside: Rc<RefCell<Option<String>>>,
     clipboard: Rc<RefCell<Option<String>>>,
     copied: Rc<RefCell<Option<Result<(), String>>>>,
     link: Rc<RefCell<Option<String>>>,
@@ -39,6 +40,10 @@ impl Platform for Machine {
             return Err("Storage is switched off.".into());
         }
         *self.stored.borrow_mut() = Some(text.to_owned());
+        Ok(())
+    }
+    fn set_aside(&mut self, text: &str) -> Result<(), String> {
+        *self.set_aside.borrow_mut() = Some(text.to_owned());
         Ok(())
     }
     fn copy(&mut self, ctx: &egui::Context, text: String) {
@@ -82,15 +87,23 @@ impl Program {
         Self::on(Machine::default(), DESKTOP)
     }
 
+    /// The field of this name that is typed into.
+    fn input<'a>(&'a self, name: &'a str) -> egui_kittest::Node<'a> {
+        self.harness
+            .get_all_by_label(name)
+            .find(|node| matches!(node.accesskit_node().role(), Role::NumberInput | Role::TextInput))
+            .unwrap()
+    }
+
     fn type_into(&mut self, field: &str, text: &str) {
-        self.harness.get_by_role_and_label(Role::NumberInput, field).focus();
+        self.input(field).focus();
         self.harness.run();
         self.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
         self.harness.run();
         if text.is_empty() {
             self.harness.key_press(Key::Backspace);
         } else {
-            self.harness.get_by_role_and_label(Role::NumberInput, field).type_text(text);
+            self.input(field).type_text(text);
         }
         self.harness.run();
     }
@@ -696,4 +709,124 @@ fn focus_out_of_sight_is_scrolled_into_view() {
     program.harness.run();
     let rect = program.harness.get_by_label("Copy Results").rect();
     assert!(rect.bottom() < PHONE.y - 60.0, "{rect:?}");
+}
+
+/// The rings of the focus that the last frame drew, around what.
+fn rings(program: &Program) -> Vec<egui::Rect> {
+    let shapes = program.harness.output().shapes.iter();
+    shapes
+        .filter_map(|clipped| match &clipped.shape {
+            egui::Shape::Rect(shape) if shape.stroke.width == 2.0 && shape.fill == egui::Color32::TRANSPARENT => Some(shape.rect),
+            _ => None,
+        })
+        .collect()
+}
+
+#[test]
+fn whatever_has_the_keyboard_shows_a_ring() {
+    let mut program = Program::new();
+    program.mug();
+    for name in [
+        "Learn",
+        "Keys",
+        "Light or dark",
+        "from lens, FOV or Q…",
+        "Calculate Distance",
+        "Reset",
+        "Coffee mug (stereo)",
+        "Add uncertainty",
+    ] {
+        program.harness.get_by_label(name).focus();
+        program.harness.run();
+        let around = program.harness.get_by_label(name).rect();
+        assert!(
+            rings(&program)
+                .iter()
+                .any(|ring| ring.contains_rect(around) && around.expand(4.0).contains_rect(*ring)),
+            "{name}"
+        );
+    }
+    program.harness.key_press(Key::Escape);
+    program.harness.run();
+    assert_eq!(rings(&program), [], "nothing has the keyboard");
+}
+
+#[test]
+fn an_error_makes_nothing_else_in_the_form_another_thing() {
+    let mut program = Program::new();
+    program.mug();
+    let ids = |program: &Program| -> Vec<egui::accesskit::NodeId> {
+        let headings = ["Stereo", "Monocular"].map(|name| program.harness.get_by_role_and_label(Role::Heading, name));
+        let labels = [B, D, "Reset", "Coffee mug (stereo)"].map(|name| program.harness.get_all_by_label(name).next().unwrap());
+        let all = headings.iter().chain(&labels);
+        all.map(|node| node.accesskit_node().locate().0).collect()
+    };
+    let before = ids(&program);
+    program.type_into(FX, "seven");
+    let field = program.harness.get_by_role_and_label(Role::NumberInput, FX);
+    assert!(field.accesskit_node().data().invalid().is_some());
+    assert_eq!(ids(&program), before);
+}
+
+#[test]
+fn assistive_technology_sets_the_point_on_the_curve() {
+    let mut program = Program::new();
+    program.mug();
+    let slider = program.harness.get_by_role(Role::Slider);
+    let node = slider.accesskit_node();
+    assert_eq!((node.min_numeric_value(), node.max_numeric_value()), (Some(0.0), Some(100.0)));
+    let request = egui::accesskit::ActionRequest {
+        action: egui::accesskit::Action::SetValue,
+        target_tree: egui::accesskit::TreeId::ROOT,
+        target_node: node.locate().0,
+        data: Some(egui::accesskit::ActionData::NumericValue(70.0)),
+    };
+    program.harness.event(egui::Event::AccessKitActionRequest(request));
+    program.harness.run();
+    assert_eq!(program.value(D), "70");
+    assert!(program.says("1.000 m"));
+}
+
+#[test]
+fn units_are_said_and_not_only_painted() {
+    let mut program = Program::new();
+    program.press("from lens, FOV or Q…");
+    let description = |program: &Program, name: &str| {
+        let field = program.harness.get_by_role_and_label(Role::NumberInput, name);
+        field.accesskit_node().data().description().unwrap_or_default().to_owned()
+    };
+    assert_eq!(description(&program, "Focal length of the lens"), "In millimetres.");
+    assert_eq!(description(&program, "Pixel pitch"), "In micrometres.");
+    assert!(description(&program, D).contains("In pixels."));
+}
+
+#[test]
+fn a_mistake_in_a_helper_is_said_at_its_field() {
+    let mut program = Program::new();
+    program.press("from lens, FOV or Q…");
+    program.type_into("Pixel pitch", "three");
+    let field = program.harness.get_by_role_and_label(Role::NumberInput, "Pixel pitch");
+    let data = field.accesskit_node();
+    assert!(data.data().invalid().is_some());
+    assert_eq!(data.data().described_by().len(), 1);
+    let note = program.harness.get_by_label("⚠ Type one number with a decimal point or comma.");
+    assert_eq!(note.accesskit_node().live(), egui::accesskit::Live::Polite);
+}
+
+#[test]
+fn what_can_be_below_zero_is_not_given_a_keyboard_without_minus() {
+    let mut program = Program::new();
+    program.press("OpenCV ×16, doffs…");
+    let field = program.harness.get_by_label("x in the right image");
+    assert_eq!(field.accesskit_node().role(), Role::TextInput);
+}
+
+#[test]
+fn a_state_that_cannot_be_read_is_set_aside() {
+    let machine = Machine::default();
+    *machine.stored.borrow_mut() = Some("{\"version\":999}".into());
+    let mut program = Program::on(machine.clone(), DESKTOP);
+    assert!(program.says("The old text is kept"));
+    program.mug();
+    assert_eq!(machine.set_aside.borrow().as_deref(), Some("{\"version\":999}"));
 }

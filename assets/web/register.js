@@ -4,15 +4,23 @@
 const element = (id) => document.getElementById(id);
 const thisBuild = document.querySelector('meta[name="build"]').content;
 
+/** The program ends where the offer begins, so that nothing is covered by it. */
+function makeRoom() {
+  const { offsetHeight } = element('update');
+  document.body.style.setProperty('--offer', `${offsetHeight}px`);
+}
+
 /** Offers to change to the build of `worker`. What somebody is doing is never interrupted. */
 function offer(worker) {
   element('update').hidden = false;
+  makeRoom();
   // After it has appeared, or screen readers do not say it.
   requestAnimationFrame(() => {
     element('update-what').textContent = 'A new version is ready.';
   });
   element('update-later').onclick = () => {
     element('update').hidden = true;
+    makeRoom();
   };
   element('update-now').onclick = () => {
     // Another tab may have changed already.
@@ -39,14 +47,16 @@ function onWaiting(worker) {
 
 async function register() {
   const registration = await navigator.serviceWorker.register('./sw.js', { updateViaCache: 'none' });
-  if (registration.waiting) onWaiting(registration.waiting);
-  registration.addEventListener('updatefound', () => {
-    const worker = registration.installing;
-    worker.addEventListener('statechange', () => {
+  const watch = (worker) => {
+    worker?.addEventListener('statechange', () => {
       // The very first one replaces nothing.
       if (worker.state === 'installed' && registration.active) onWaiting(worker);
     });
-  });
+  };
+  if (registration.waiting) onWaiting(registration.waiting);
+  // The browser looks for a new version by itself when the page is opened, and may have begun with it.
+  watch(registration.installing);
+  registration.addEventListener('updatefound', () => watch(registration.installing));
   // A calculator may stay open for days, and browsers look for a new version only when a page is opened.
   document.addEventListener('visibilitychange', () => {
     // Nothing is lost when there is no network.

@@ -6,11 +6,18 @@ const CURRENT_BROWSER = 'Use a current version of Firefox, Chrome, Edge or Safar
 
 /** Why the program cannot run: what happened, what to do, and details for a bug report. */
 class Failure extends Error {
-  constructor(what, todo, detail = '') {
+  constructor(what, todo, detail = '', isOfProgram = false) {
     super(what);
-    this.todo = todo;
-    this.detail = detail;
+    Object.assign(this, { todo, detail, isOfProgram });
   }
+}
+
+const LONG_MS = 10_000;
+
+/** Whether the program has been in use for a while. */
+function ranLong() {
+  const [first] = globalThis.performance?.getEntriesByName('first-frame') ?? [];
+  return first !== undefined && performance.now() - first.startTime > LONG_MS;
 }
 
 /** Shows a failure in place of everything else. The first one is the cause; later ones are its consequences. */
@@ -20,6 +27,11 @@ function show(failure) {
   element('fatal-todo').textContent = failure.todo;
   element('fatal-detail').textContent = failure.detail;
   element('fatal-more').hidden = !failure.detail;
+  // Where the program has not run long, what it read at the start may be why it failed, and would be again.
+  element('afresh').hidden = !failure.isOfProgram || ranLong();
+  element('fatal-kept').hidden = element('fatal').dataset.kept === 'no';
+  // What the program said last is no longer true, and its fields no longer take anything.
+  document.querySelector('main').inert = true;
   element('loading').hidden = true;
   element('fatal').hidden = false;
 }
@@ -56,7 +68,7 @@ const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
  */
 async function download(url, size) {
   const failed = (reason) =>
-    new Failure('The program could not be downloaded.', 'Check the connection and reload the page.', `${url}: ${reason}`);
+    new Failure('The program could not be downloaded.', 'Check the connection and reload the page; if a new version has just been published, that finds it.', `${url}: ${reason}`);
   const answer = await fetch(url, { credentials: 'same-origin' }).catch((error) => {
     throw failed(error);
   });
@@ -94,7 +106,7 @@ async function start() {
   const arriving = Promise.all([
     download(program.href, Number(program.dataset.bytes)),
     import(script.href).catch((error) => {
-      throw new Failure('The program could not be downloaded.', 'Check the connection and reload the page.', String(error));
+      throw new Failure('The program could not be downloaded.', 'Check the connection and reload the page; if a new version has just been published, that finds it.', String(error));
     }),
   ]);
   // What it fails with is said below; without this it would also count as unheard while the graphics are checked.
@@ -113,32 +125,42 @@ async function start() {
 /** Traps that no panic announces: memory or stack exhausted. A panic has already been shown by the program. */
 function onUncaught(error) {
   if (typeof WebAssembly === 'object' && (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)) {
-    show(new Failure('The program has stopped because of an error in it.', 'Reload the page to go on.', `${error}\n${error.stack}`));
+    show(new Failure('The program has stopped because of an error in it.', 'Reload the page to go on.', `${error}\n${error.stack}`, true));
   }
 }
 
 /** Puts aside what the program has stored, which may be why it does not run. */
 function startAfresh() {
   const { key } = element('afresh').dataset;
-  const stored = localStorage.getItem(key);
-  if (stored !== null) localStorage.setItem(`${key}/set aside`, stored);
-  localStorage.removeItem(key);
+  try {
+    const stored = localStorage.getItem(key);
+    localStorage.removeItem(key);
+    // After that there is room for it.
+    if (stored !== null) localStorage.setItem(`${key}/set aside`, stored);
+  } catch {
+    // What cannot be read is not read by the program either.
+  }
   location.reload();
 }
 
 /** Makes room for the keyboard of a phone, where the browser only lays it over the page. */
 function followKeyboard() {
-  const { height, scale } = visualViewport;
+  const { height, scale, offsetTop } = visualViewport;
   // Whoever has enlarged the page sees a part of it, as wanted.
   const covered = scale < 1.01 && height < innerHeight - 1;
   element('app').style.height = covered ? `${height}px` : '';
+  // Some browsers move what can be seen down the page instead.
+  element('app').style.top = covered && offsetTop > 0 ? `${offsetTop}px` : '';
 }
 
+// The program itself says why it has stopped (src/platform/web/page.rs).
+addEventListener('program-failed', ({ detail: [what, todo, detail] }) => show(new Failure(what, todo, detail, true)));
 addEventListener('error', (event) => onUncaught(event.error));
 addEventListener('unhandledrejection', (event) => onUncaught(event.reason));
 element('reload').addEventListener('click', () => location.reload());
 element('afresh').addEventListener('click', startAfresh);
 globalThis.visualViewport?.addEventListener('resize', followKeyboard);
+globalThis.visualViewport?.addEventListener('scroll', followKeyboard);
 element('app').addEventListener('webglcontextlost', () => {
   show(
     new Failure(

@@ -2,6 +2,7 @@
 // `cargo xtask dist` fills in which build it is and which files it has.
 
 const BUILD = '';
+/** Name and digest (as for Subresource Integrity) of each: what a host still has of another build is not kept as part of this one. */
 const FILES = [];
 
 /** Several sites, and several copies of this one, may share an origin and so its caches. */
@@ -11,7 +12,7 @@ const CACHE = OURS + BUILD;
 const PATIENCE_MS = 4000;
 
 const address = (name) => new URL(name, registration.scope).href;
-const ADDRESSES = new Set(FILES.map(address));
+const ADDRESSES = new Set(FILES.map(([name]) => address(name)));
 /** Where the pages are kept, by where they are asked for. */
 const PAGES = new Map([
   [address('./'), address('./')],
@@ -19,14 +20,19 @@ const PAGES = new Map([
   [address('learn.html'), address('learn.html')],
 ]);
 
+/** What is kept of it, if anything: where that cannot be read, the network still can. */
 async function kept(url) {
-  const cache = await caches.open(CACHE);
-  return cache.match(url, { ignoreVary: true });
+  try {
+    const cache = await caches.open(CACHE);
+    return await cache.match(url, { ignoreVary: true });
+  } catch {
+    return undefined;
+  }
 }
 
-async function keep(name) {
+async function keep([name, integrity]) {
   // Asks whether what the browser still has is up to date.
-  const answer = await fetch(address(name), { cache: 'no-cache' });
+  const answer = await fetch(address(name), { cache: 'no-cache', integrity });
   if (!answer.ok) throw new Error(`${name}: HTTP status ${answer.status}`);
   // Browsers refuse a page that came by a redirection.
   const copy = answer.redirected ? new Response(await answer.blob(), { headers: answer.headers }) : answer;
@@ -46,7 +52,8 @@ const patienceEnds = () =>
 
 /** The network first: nobody stays on an old version while there is a new one. */
 async function page(request, url) {
-  const network = fetch(request);
+  // Asked whether it is up to date, whatever the host says of how long it may be used.
+  const network = fetch(request, { cache: 'no-cache' });
   try {
     const answer = await Promise.race([network, patienceEnds()]);
     if (answer.status < 500) return answer;

@@ -36,6 +36,15 @@ pub trait Platform {
     /// A sentence saying why not.
     fn save(&mut self, text: &str) -> Result<(), String>;
 
+    /// Keeps a stored text that cannot be read, apart from what [`Self::save`] stores: it may be of a newer version.
+    ///
+    /// # Errors
+    /// A sentence saying why not.
+    fn set_aside(&mut self, text: &str) -> Result<(), String> {
+        let _ = text;
+        Err("There is no place for it.".to_owned())
+    }
+
     /// Starts putting `text` on the clipboard; the outcome comes later from [`Self::copied`].
     fn copy(&mut self, ctx: &egui::Context, text: String);
 
@@ -82,7 +91,7 @@ pub struct App {
 
 impl App {
     /// The application with the state that `platform` has stored.
-    pub fn new(cc: &eframe::CreationContext<'_>, platform: Box<dyn Platform>) -> Self {
+    pub fn new(cc: &eframe::CreationContext<'_>, mut platform: Box<dyn Platform>) -> Self {
         let ctx = &cc.egui_ctx;
         theme::install(ctx);
         let notice = |text: &str| {
@@ -95,15 +104,23 @@ impl App {
             Ok(None) => (Saved::default(), None),
             Ok(Some(text)) => match Saved::from_text(&text) {
                 Some(saved) => (saved, None),
-                None => (
-                    Saved::default(),
-                    notice("What was stored last time could not be read, or is of another version, so the program starts fresh."),
-                ),
+                None => {
+                    let kept = platform.set_aside(&text);
+                    (
+                        Saved::default(),
+                        notice(match kept {
+                            Ok(()) => {
+                                "What was stored last time could not be read, or is of another version, so the program starts fresh. The old text is kept beside the new one."
+                            }
+                            Err(_) => "What was stored last time could not be read, or is of another version, so the program starts fresh.",
+                        }),
+                    )
+                }
             },
             Err(reason) => (
                 Saved::default(),
                 notice(&format!(
-                    "{reason} The program works, but forgets what you enter when it is closed."
+                    "{reason} The program works, but forgets what you enter when it is closed: copy your results, or allow this page to store data and reload it."
                 )),
             ),
         };
@@ -242,7 +259,10 @@ impl App {
         };
         let outcome = self.stored.to_text().and_then(|text| self.platform.save(&text));
         if let Err(reason) = outcome {
-            self.say(&format!("{reason} What you enter now may be gone after a restart."), None);
+            self.say(
+                &format!("{reason} What you enter now may be gone after a restart. Free some space, or copy your results."),
+                None,
+            );
         }
     }
 }
@@ -260,7 +280,7 @@ impl eframe::App for App {
         }
         match self.platform.copied() {
             Some(Ok(())) => self.say("Results copied to the clipboard.", None),
-            Some(Err(reason)) => self.say(&reason, None),
+            Some(Err(reason)) => self.say(&format!("{reason} The table under the results holds the same numbers."), None),
             None => {}
         }
         let forced = self.platform.forced_colors();
@@ -270,7 +290,7 @@ impl eframe::App for App {
         }
         if self.platform.stored_elsewhere() {
             self.say(
-                "Another tab changed what is stored. Both go on; what is changed last is what a reload brings back.",
+                "Another tab changed what is stored. Both go on; what is changed last is what a reload brings back. To keep these numbers, change something here, or copy them.",
                 None,
             );
         }
@@ -328,6 +348,12 @@ impl eframe::App for App {
         if self.lists_keys {
             shortcuts::list(ui, layout, &mut commands);
         }
+        focus_ring(ui);
+        // At once: browsers allow it only while they handle the click, in which eframe runs this pass.
+        if commands.iter().any(|command| matches!(command, Command::CopyResults)) {
+            commands.retain(|command| !matches!(command, Command::CopyResults));
+            self.carry_out(ui.ctx(), Command::CopyResults);
+        }
         if !commands.is_empty() {
             self.pending.append(&mut commands);
             ui.ctx().request_repaint();
@@ -337,6 +363,23 @@ impl eframe::App for App {
             ui.ctx().request_repaint();
         }
     }
+}
+
+/// Draws a ring around what has the keyboard: not every widget shows its focus by itself.
+fn focus_ring(ui: &Ui) {
+    const WIDTH: f32 = 2.0;
+    // A field has its own border for that.
+    if ui.ctx().text_edit_focused() {
+        return;
+    }
+    let Some(response) = ui.memory(|memory| memory.focused()).and_then(|id| ui.ctx().read_response(id)) else {
+        return;
+    };
+    // Only as much as can be seen of it where it is scrolled.
+    let visible = response.interact_rect.expand(3.0 * WIDTH);
+    let painter = ui.ctx().layer_painter(response.layer_id).with_clip_rect(visible);
+    let ring = Stroke::new(WIDTH, theme::palette(ui).blue);
+    painter.rect_stroke(response.rect.expand(WIDTH), theme::CONTROL_RADIUS, ring, egui::StrokeKind::Outside);
 }
 
 fn navigation(ui: &mut Ui, layout: Layout, screen: Screen, theme_preference: ThemePreference, commands: &mut Vec<Command>) {
@@ -380,13 +423,15 @@ fn navigation(ui: &mut Ui, layout: Layout, screen: Screen, theme_preference: The
             ui.add_space(8.0);
             tabs(ui, commands);
         }
-        ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| {
-            theme_choice(ui, layout, theme_preference, commands);
-            let keys = Button::new("?").min_size(vec2(layout.control_height(), layout.control_height()));
-            if ui.add(keys).accessible_name("Keys").clicked() {
-                commands.push(Command::ListKeys(true));
-            }
-        });
+        // Not from the right, which would have them read in the other order than they stand in.
+        let side = layout.control_height();
+        let width = 2.0 * side + 2.0 * theme::STEP;
+        ui.add_space((ui.available_width() - width - ui.spacing().item_spacing.x).max(0.0));
+        let keys = Button::new("?").min_size(vec2(side, side));
+        if ui.add(keys).accessible_name("Keys").clicked() {
+            commands.push(Command::ListKeys(true));
+        }
+        theme_choice(ui, layout, theme_preference, commands);
     });
     if layout == Layout::Phone {
         tabs(ui, commands);

@@ -87,6 +87,11 @@ impl Platform for Desktop {
         write().map_err(|error| format!("What you entered cannot be stored in {}: {error}.", file.display()))
     }
 
+    fn set_aside(&mut self, text: &str) -> Result<(), String> {
+        let file = self.file.as_ref().map_err(Clone::clone)?;
+        std::fs::write(file.with_extension("old"), text).map_err(|error| format!("{error}."))
+    }
+
     fn copy(&mut self, ctx: &egui::Context, text: String) {
         ctx.copy_text(text);
         self.copied = true;

@@ -4,6 +4,9 @@
 mod learn;
 mod mathml;
 
+use base64::Engine as _;
+use base64::prelude::BASE64_STANDARD;
+use sha2::{Digest as _, Sha256};
 use std::fs;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::Path;
@@ -85,7 +88,7 @@ fn build_at(dist: &Path, url: Option<&str>) -> Result<(), String> {
     )?;
     write(dist, PROGRAM_PAGE, program)?;
     write(dist, HEADERS, headers(&names(dist)?, &policy))?;
-    write(dist, WORKER, service_worker(&worker, &build, &names(dist)?)?)
+    write(dist, WORKER, service_worker(dist, &worker, &build)?)
 }
 
 /// The Content-Security-Policy in a page, which is that of the whole site.
@@ -140,7 +143,8 @@ fn sitemap(url: &str) -> String {
 
 /// For hosts that read this file at the root of a site: the policy as a header, and which files never change.
 fn headers(names: &[String], policy: &str) -> String {
-    let everywhere = format!("/*\n  Content-Security-Policy: {policy}\n  X-Content-Type-Options: nosniff\n");
+    // A policy in the page itself cannot say who may put it into a frame.
+    let everywhere = format!("/*\n  Content-Security-Policy: {policy}; frame-ancestors 'self'\n  X-Content-Type-Options: nosniff\n");
     let unchanging = names
         .iter()
         .filter(|name| is_hashed(name))
@@ -170,20 +174,25 @@ fn build_id(dist: &Path, worker: &str) -> Result<String, String> {
     Ok(format!("{:016x}", hasher.finish()))
 }
 
-fn service_worker(template: &str, build: &str, names: &[String]) -> Result<String, String> {
-    let files: Vec<&str> = names
-        .iter()
-        .map(String::as_str)
-        .filter(|name| !NOT_FOR_VISITORS.contains(name))
+fn service_worker(dist: &Path, template: &str, build: &str) -> Result<String, String> {
+    let mut files = Vec::new();
+    for name in names(dist)?.iter().filter(|name| !NOT_FOR_VISITORS.contains(&name.as_str())) {
         // Some hosts redirect from the long name, and all of them show it under the short one.
-        .map(|name| if name == PROGRAM_PAGE { "./" } else { name })
-        .collect();
+        let address = if name == PROGRAM_PAGE { "./" } else { name };
+        files.push((address.to_owned(), integrity(&dist.join(name))?));
+    }
     let worker = replace_once(template, "const BUILD = '';", &format!("const BUILD = '{build}';"))?;
     replace_once(
         &worker,
         "const FILES = [];",
         &format!("const FILES = {};", serde_json::json!(files)),
     )
+}
+
+/// The digest of a file as an `integrity` attribute has it. Source: W3C, Subresource Integrity, 3.1.
+fn integrity(file: &Path) -> Result<String, String> {
+    let content = fs::read(file).map_err(|error| format!("{} cannot be read: {error}.", file.display()))?;
+    Ok(format!("sha256-{}", BASE64_STANDARD.encode(Sha256::digest(content))))
 }
 
 /// Every file in `dist` by its name in an address, in order.
@@ -342,7 +351,16 @@ mod tests {
         let dist = Dist::built("worker", Some(URL));
         let worker = dist.text("sw.js");
         let list = worker.split_once("const FILES = ").unwrap().1.split_once(';').unwrap().0;
-        let listed: BTreeSet<String> = serde_json::from_str(list).unwrap();
+        let pairs: Vec<(String, String)> = serde_json::from_str(list).unwrap();
+        for (name, digest) in &pairs {
+            let file = if name == "./" { "index.html" } else { name };
+            assert_eq!(
+                *digest,
+                super::integrity(&dist.0.join(file)).unwrap(),
+                "{name}: of the file as it is served"
+            );
+        }
+        let listed: BTreeSet<String> = pairs.into_iter().map(|(name, _)| name).collect();
         let mut there: BTreeSet<String> = names(&dist.0).unwrap().into_iter().collect();
         for not_for_visitors in ["sw.js", "_headers", "og.png", "robots.txt", "sitemap.xml"] {
             assert!(there.remove(not_for_visitors), "{not_for_visitors}");

@@ -117,11 +117,16 @@ pub fn show(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
     let said: Vec<String> = Method::ALL
         .into_iter()
         .map(|method| {
-            format!(
-                "{} distance {}",
-                method.name(),
-                report::length(solution.outcome(method).distance(), unit)
-            )
+            let distance = solution.outcome(method).distance();
+            let words = match (distance, solution.known(method)) {
+                (Some(distance), Some(known)) => format!(
+                    "{}, from {}",
+                    report::with_sigma(distance, known.sigma, unit).text(unit),
+                    report::interval(known, unit)
+                ),
+                _ => report::length(distance, unit),
+            };
+            format!("{} distance {words}", method.name())
         })
         .collect();
     picture::describe(ui, &response, TITLE, &format!("Bar chart. {}.", said.join(", ")));

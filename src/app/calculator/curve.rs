@@ -7,7 +7,7 @@ use crate::core::problem::{Field, Solution};
 use crate::core::quantity::{Length, LengthUnit, Pixels};
 use crate::core::stereo;
 use crate::formats::{number, report};
-use egui::accesskit::{Action, Role};
+use egui::accesskit::{Action, ActionData, Role};
 use egui::{Align2, CursorIcon, Id, Key, Rect, Response, Sense, Stroke, Ui, pos2, vec2};
 use egui_plot::{GridMark, Line, Plot, PlotPoint, PlotPoints};
 
@@ -129,6 +129,9 @@ impl Curve {
             node.set_role(Role::Slider);
             node.set_label("Disparity of the point, in pixels");
             node.set_numeric_value(disparity.px());
+            node.set_min_numeric_value(0.0);
+            node.set_max_numeric_value(model.disparity_end_px);
+            node.add_action(Action::SetValue);
             node.set_value(words.clone());
             node.add_action(Action::Increment);
             node.add_action(Action::Decrement);
@@ -143,6 +146,9 @@ impl Curve {
             && let Some(pointer) = handle.interact_pointer_pos()
         {
             target = Some(plot.transform.value_from_position(pointer).x);
+        }
+        if let Some(disparity) = asked_for(ui, &handle) {
+            target = Some(disparity / model.disparity_end_px);
         }
         let steps = steps(ui, &handle);
         if steps != 0 {
@@ -162,6 +168,18 @@ impl Curve {
         }
         handle.on_hover_cursor(CursorIcon::Grab);
     }
+}
+
+/// The disparity, in pixels, that assistive technology asks for.
+fn asked_for(ui: &Ui, handle: &Response) -> Option<f64> {
+    ui.input(|input| {
+        let requests = input.accesskit_action_requests(handle.id, Action::SetValue);
+        let numbers = requests.filter_map(|request| match request.data {
+            Some(ActionData::NumericValue(number)) => Some(number),
+            _ => None,
+        });
+        numbers.last()
+    })
 }
 
 /// Hundredths of the axis that the keyboard or assistive technology asks to move the point by.

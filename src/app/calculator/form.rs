@@ -42,23 +42,36 @@ pub fn show(
             ui.spacing_mut().item_spacing.y = theme::STEP;
             unknown::show(ui, inputs, assessment, height, commands);
             for (section, fields) in SECTIONS {
-                text::card_heading(ui, section);
-                ui.add_space(2.0);
-                for &field in fields {
-                    // Most rigs have no offset, and who has none should not have to wonder what it is.
-                    if field == Field::Doffs && !inputs.shows_doffs() {
-                        continue;
+                apart(ui, section, |ui| {
+                    text::card_heading(ui, section);
+                    ui.add_space(2.0);
+                    for &field in fields {
+                        // Most rigs have no offset, and who has none should not have to wonder what it is.
+                        if field == Field::Doffs && !inputs.shows_doffs() {
+                            continue;
+                        }
+                        apart(ui, field, |ui| {
+                            quantity_field::show(ui, inputs, field, around(field), height, commands)
+                        });
+                        ui.add_space(2.0 * theme::STEP);
                     }
-                    quantity_field::show(ui, inputs, field, around(field), height, commands);
-                    ui.add_space(2.0 * theme::STEP);
-                }
+                });
             }
-            buttons(ui, height, commands);
-            ui.add_space(theme::STEP);
-            examples(ui, layout, commands);
-            more(ui, layout, inputs, shows_geometry, commands);
+            apart(ui, "buttons", |ui| {
+                buttons(ui, height, commands);
+                ui.add_space(theme::STEP);
+                examples(ui, layout, commands);
+                more(ui, layout, inputs, shows_geometry, commands);
+            });
         });
     });
+}
+
+/// Draws a part of the form with a name of its own: else everything after an error that appears would be another thing to
+/// egui, and to a screen reader.
+fn apart(ui: &mut Ui, name: impl std::hash::Hash + std::fmt::Debug, add_contents: impl FnOnce(&mut Ui)) {
+    let builder = UiBuilder::new().scope_id(egui::Id::unique(("part of the form", name)));
+    ui.scope_builder(builder, add_contents);
 }
 
 fn buttons(ui: &mut Ui, height: f32, commands: &mut Vec<Command>) {

@@ -2,7 +2,6 @@
 //! plane as a third method.
 
 use crate::app::saved::Texts;
-use crate::app::theme;
 use crate::app::widgets::number_field::{NumberField, Unit};
 use crate::app::widgets::{cards, text};
 use crate::core::angle::Angle;
@@ -10,9 +9,11 @@ use crate::core::camera::{self, GroundView, Intrinsics, NoGround};
 use crate::core::measured::Measured;
 use crate::core::problem::Solution;
 use crate::core::quantity::{Length, LengthUnit, Pixels};
+use crate::formats::inputs::Severity;
 use crate::formats::{number, report};
-use egui::{RichText, Ui};
+use egui::Ui;
 
+const DEGREES: &str = "°";
 const CX: &str = "Principal point cx";
 const CY: &str = "Principal point cy";
 const U: &str = "Column of the pixel (u)";
@@ -85,7 +86,7 @@ fn range(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, 
 
 fn tilt(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, height: f32, row: egui::Id) {
     cards::card(ui, "Tilted target", |ui| {
-        let tilt = ask(ui, texts, TILT, "20", "°", height);
+        let tilt = ask(ui, texts, TILT, "20", DEGREES, height);
         if let (Some(tilt), Some(apparent)) = (tilt, solution.monocular.distance()) {
             match camera::depth_of_tilted_target(apparent, Angle::from_degrees(tilt)) {
                 Some(depth) => {
@@ -114,7 +115,7 @@ fn tilt(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, h
 fn ground(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, height: f32, row: egui::Id) {
     cards::card(ui, "Ground plane, a third method", |ui| {
         let camera_height = ask_measured(ui, texts, HEIGHT, "1.2", "m", height);
-        let pitch = ask_measured(ui, texts, PITCH, "10", "°", height);
+        let pitch = ask_measured(ui, texts, PITCH, "10", DEGREES, height);
         let point = ask_measured(ui, texts, ROW, "500", "px", height);
         let cy = ask(ui, texts, CY, "360", "px", height);
         if let (Some(fx), Some(camera_height), Some(pitch), Some(row), Some(cy)) =
@@ -155,8 +156,7 @@ fn ground(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts,
 }
 
 fn problem(ui: &mut Ui, sentence: &str) {
-    let red = theme::palette(ui).red;
-    ui.label(RichText::new(format!("⚠ {sentence}")).size(theme::SMALL_SIZE).color(red));
+    text::note(ui, Severity::Error, sentence, None);
 }
 
 fn ask(ui: &mut Ui, texts: &mut Texts, name: &'static str, example: &'static str, unit: &'static str, height: f32) -> Option<f64> {
@@ -167,6 +167,7 @@ fn ask(ui: &mut Ui, texts: &mut Texts, name: &'static str, example: &'static str
             hint: "",
             example,
             unit: Unit::Fixed(unit),
+            signed: unit == DEGREES,
             sigma: None,
         }
         .show(ui, typed, height);
@@ -190,6 +191,7 @@ fn ask_measured(
         hint: "",
         example,
         unit: Unit::Fixed(unit),
+        signed: unit == DEGREES,
         sigma: Some(&mut sigma),
     }
     .show(ui, typed, height);

@@ -7,17 +7,17 @@ use crate::app::command::Command;
 use crate::app::saved::Texts;
 use crate::app::theme::{self, Layout};
 use crate::app::widgets::number_field::{NumberField, Unit};
-use crate::app::widgets::text;
+use crate::app::widgets::{scroll, text};
 use crate::core::angle::Angle;
 use crate::core::camera::{self, Intrinsics, SENSOR_FORMATS};
 use crate::core::disparity::{self, Encoding, NoDisparity, SubpixelBits};
 use crate::core::measured::Measured;
 use crate::core::problem::Field;
 use crate::core::quantity::{Length, LengthUnit, Pixels};
-use crate::formats::inputs::{Entry, Inputs};
+use crate::formats::inputs::{Entry, Inputs, Severity};
 use crate::formats::number::{self, plain, significant};
 use crate::formats::q_matrix;
-use egui::{Button, ComboBox, Modal, RichText, ScrollArea, Stroke, TextEdit, Ui, vec2};
+use egui::{Button, ComboBox, Modal, RichText, Stroke, TextEdit, Ui, vec2};
 
 /// A helper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -325,15 +325,13 @@ pub fn show(ui: &Ui, layout: Layout, helper: Helper, inputs: &Inputs, texts: &mu
             ui.spacing_mut().interact_size.y = height;
             text::heading(ui, helper.title(), 2, theme::strong(17.0), palette.text);
             ui.add_space(2.0 * theme::STEP);
-            ScrollArea::vertical()
-                .max_height(ui.ctx().content_rect().height() - 180.0)
-                .show(ui, |ui| {
-                    let way = choose_way(ui, helper, texts);
-                    match way {
-                        Some(way) => ask_way(ui, way, texts, height, commands),
-                        None => ask_q_matrix(ui, inputs, texts, height, commands),
-                    }
-                });
+            scroll::up_to(ui, ui.ctx().content_rect().height() - 180.0, |ui| {
+                let way = choose_way(ui, helper, texts);
+                match way {
+                    Some(way) => ask_way(ui, way, texts, height, commands),
+                    None => ask_q_matrix(ui, inputs, texts, height, commands),
+                }
+            });
             ui.add_space(theme::STEP);
             ui.add_sized(vec2(96.0, height), Button::new("Cancel")).clicked()
         });
@@ -386,6 +384,7 @@ fn ask_way(ui: &mut Ui, way: &Way, texts: &mut Texts, height: f32, commands: &mu
             hint: "",
             example: ask.example,
             unit: Unit::Fixed(ask.unit),
+            signed: way.field == Field::Disparity,
             sigma: None,
         }
         .show(ui, typed, height);
@@ -412,8 +411,7 @@ fn ask_way(ui: &mut Ui, way: &Way, texts: &mut Texts, height: f32, commands: &mu
     if let Err(reason) = &result
         && !reason.is_empty()
     {
-        let red = theme::palette(ui).red;
-        ui.label(RichText::new(format!("⚠ {reason}")).size(theme::SMALL_SIZE).color(red));
+        text::note(ui, Severity::Error, reason, None);
     }
     if use_button(ui, &label, usable.is_some(), height)
         && let Some(value) = usable
@@ -444,7 +442,7 @@ fn ask_q_matrix(ui: &mut Ui, inputs: &Inputs, texts: &mut Texts, height: f32, co
     let palette = theme::palette(ui);
     let name = ui.label(RichText::new("Q matrix").font(theme::strong(theme::BODY_SIZE)).color(palette.text));
     let typed = texts.entry("Q matrix".to_owned()).or_default();
-    let _ = ui
+    let field = ui
         .add(
             TextEdit::multiline(typed)
                 .desired_rows(5)
@@ -460,7 +458,7 @@ fn ask_q_matrix(ui: &mut Ui, inputs: &Inputs, texts: &mut Texts, height: f32, co
     let geometry = match q_matrix::read(typed) {
         Ok(geometry) => geometry,
         Err(reason) => {
-            ui.label(RichText::new(format!("⚠ {reason}")).size(theme::SMALL_SIZE).color(palette.red));
+            text::note(ui, Severity::Error, &reason, Some(field.id));
             return;
         }
     };
@@ -473,8 +471,8 @@ fn ask_q_matrix(ui: &mut Ui, inputs: &Inputs, texts: &mut Texts, height: f32, co
         significant(geometry.cy.px(), 6)
     ));
     if geometry.swapped {
-        let warning = "⚠ The sign of this Q means that left and right are swapped, or that T has the wrong sign: depths come out negative.";
-        ui.label(RichText::new(warning).size(theme::SMALL_SIZE).color(palette.amber));
+        let warning = "The sign of this Q means that left and right are swapped, or that T has the wrong sign: depths come out negative.";
+        text::note(ui, Severity::Warning, warning, Some(field.id));
     }
     ui.add_space(theme::STEP);
     ui.label(format!(

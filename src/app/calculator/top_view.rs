@@ -91,7 +91,15 @@ impl Model {
             |baseline| format!("Two cameras {} apart", length(baseline)),
         );
         let width = self.width_m.map_or_else(String::new, |width| format!(", {} wide", length(width)));
-        format!("{cameras}; the object {} away{width}. {}", length(self.depth_m), self.remark())
+        let between = self.interval_m.map_or_else(String::new, |(near, far)| match far {
+            Some(far) => format!(", between {} and {}", length(near), length(far)),
+            None => format!(", {} or more", length(near)),
+        });
+        format!(
+            "{cameras}; the object {} away{between}{width}. {}",
+            length(self.depth_m),
+            self.remark()
+        )
     }
 }
 

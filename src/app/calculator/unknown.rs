@@ -6,7 +6,7 @@ use crate::app::widgets::number_field::{self, NumberField};
 use crate::app::widgets::text;
 use crate::core::problem::{Field, Method};
 use crate::core::quantity::LengthUnit;
-use crate::formats::inputs::{Assessment, Inputs};
+use crate::formats::inputs::{Assessment, Inputs, Severity};
 use egui::{ComboBox, Ui};
 
 /// What is offered first.
@@ -56,6 +56,7 @@ pub fn show(ui: &mut Ui, inputs: &mut Inputs, assessment: &Assessment, height: f
         hint: "The distance along the optical axis, now an input.",
         example: "1.4",
         unit: number_field::Unit::Choice(unit),
+        signed: false,
         sigma: inputs.with_uncertainty.then_some(&mut inputs.distance_sigma),
     }
     .show(ui, &mut inputs.distance.text, height);
@@ -63,7 +64,7 @@ pub fn show(ui: &mut Ui, inputs: &mut Inputs, assessment: &Assessment, height: f
         commands.push(Command::Settle);
     }
     if let Some(Err(reason)) = assessment.unknown.as_ref().map(|unknown| &unknown.outcome) {
-        text::caption(ui, reason);
+        text::note(ui, Severity::Error, reason, None);
     }
     ui.add_space(2.0 * theme::STEP);
 }

@@ -4,6 +4,7 @@ use super::quantity_field::length_unit_choice;
 use super::text;
 use crate::app::theme;
 use crate::core::quantity::LengthUnit;
+use crate::formats::inputs::Severity;
 use crate::formats::number;
 use egui::accesskit::Role;
 use egui::{Align2, RichText, TextEdit, Ui, vec2};
@@ -28,6 +29,8 @@ pub struct NumberField<'a> {
     pub example: &'static str,
     /// What the number counts.
     pub unit: Unit<'a>,
+    /// Whether it can be below zero: the number keyboards of some phones have no minus.
+    pub signed: bool,
     /// The text of its σ, where one is asked for.
     pub sigma: Option<&'a mut String>,
 }
@@ -40,17 +43,17 @@ impl NumberField<'_> {
         let palette = theme::palette(ui);
         let name = ui.label(RichText::new(self.name).font(theme::strong(theme::BODY_SIZE)).color(palette.text));
         let mut left = false;
-        ui.horizontal(|ui| {
+        let field = ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             ui.spacing_mut().interact_size.y = height;
             let sigma_width = if self.sigma.is_some() { SIGMA_WIDTH + 6.0 } else { 0.0 };
             let width = (ui.available_width() - UNIT_WIDTH - 6.0 - sigma_width).max(60.0);
-            let field = |text| {
+            let text_edit = |text| {
                 TextEdit::singleline(text)
                     .align(Align2::RIGHT_CENTER)
                     .margin(egui::Margin::symmetric(10, 4))
             };
-            let response = field(typed)
+            let response = text_edit(typed)
                 .id(ui.scope_id().with(("number field", self.name)))
                 .hint_text(RichText::new(format!("e.g. {}", self.example)).color(palette.muted))
                 .desired_width(width)
@@ -60,10 +63,16 @@ impl NumberField<'_> {
                 .response
                 .labelled_by(name.id);
             ui.accesskit_node_builder(response.id, |node| {
-                node.set_role(Role::NumberInput);
-                node.set_description(self.hint);
+                if !self.signed {
+                    node.set_role(Role::NumberInput);
+                }
+                node.set_description(match self.unit {
+                    Unit::Fixed(unit) if !unit.is_empty() => format!("In {}. {}", text::spoken_unit(unit), self.hint).trim_end().to_owned(),
+                    Unit::Fixed(_) | Unit::Choice(_) => self.hint.to_owned(),
+                });
             });
             left |= response.lost_focus();
+            let field = response.id;
             match self.unit {
                 Unit::Fixed(unit) => {
                     let (rect, _) = ui.allocate_exact_size(vec2(UNIT_WIDTH, height), egui::Sense::hover());
@@ -80,7 +89,8 @@ impl NumberField<'_> {
                 }
             }
             if let Some(sigma) = self.sigma {
-                let response = field(sigma)
+                // No number keyboard: on most phones it has no "%".
+                let response = text_edit(sigma)
                     .id(ui.scope_id().with(("uncertainty", self.name)))
                     .prefix(RichText::new("±").color(palette.muted))
                     .hint_text(RichText::new("none").color(palette.muted))
@@ -92,16 +102,14 @@ impl NumberField<'_> {
                     .accessible_name(format!("Uncertainty of {}", self.name));
                 left |= response.lost_focus();
             }
+            field
         });
         if !self.hint.is_empty() {
             text::caption(ui, self.hint);
         }
         if !typed.trim().is_empty() && number::read(typed).is_err() {
-            ui.label(
-                RichText::new("⚠ Type one number with a decimal point or comma.")
-                    .size(theme::SMALL_SIZE)
-                    .color(palette.red),
-            );
+            let sentence = "Type one number with a decimal point or comma.";
+            text::note(ui, Severity::Error, sentence, Some(field.inner));
         }
         ui.add_space(theme::STEP);
         left

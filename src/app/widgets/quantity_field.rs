@@ -7,7 +7,7 @@ use crate::core::problem::Field;
 use crate::core::quantity::LengthUnit;
 use crate::formats::inputs::{Inputs, Note, Severity, Unknown, example_text, hint};
 use crate::formats::report;
-use egui::accesskit::{Invalid, Role};
+use egui::accesskit::Role;
 use egui::text::{CCursor, CCursorRange};
 use egui::{Align, Button, ComboBox, Id, Key, Modifiers, Response, RichText, Sense, Stroke, TextEdit, Ui, vec2};
 
@@ -91,13 +91,7 @@ pub fn show(ui: &mut Ui, inputs: &mut Inputs, field: Field, around: Around<'_>, 
     }
     for (note, id) in [(around.value_note, text_response.id), (around.sigma_note, sigma_id(field))] {
         let Some(note) = note else { continue };
-        let said = note_below(ui, note, height, commands);
-        ui.accesskit_node_builder(id, |node| {
-            node.set_described_by(vec![said.id.accesskit_id()]);
-            if note.severity == Severity::Error {
-                node.set_invalid(Invalid::True);
-            }
-        });
+        note_below(ui, note, id, height, commands);
     }
 }
 
@@ -148,7 +142,8 @@ fn text_field(
     ui.accesskit_node_builder(id, |node| {
         // A number with a unit is typed as text, but assistive technology and phones should know that it is a number.
         node.set_role(Role::NumberInput);
-        node.set_description(format!("{} Arrow up and down step the value.", hint(field)));
+        let unit = if inputs.unit(field).is_none() { " In pixels." } else { "" };
+        node.set_description(format!("{}{unit} Arrow up and down step the value.", hint(field)));
         if let Some(value) = inputs.number(field) {
             node.set_numeric_value(value);
         }
@@ -193,6 +188,7 @@ fn sigma_field(ui: &mut Ui, inputs: &mut Inputs, field: Field, note: Option<&Not
     let response = ui
         .scope(|ui| {
             mark(ui, note);
+            // Not a number to phones: on most, the number keyboard has no "%".
             TextEdit::singleline(&mut text)
                 .id(id)
                 .prefix(RichText::new("±").color(palette.muted))
@@ -293,14 +289,8 @@ pub fn length_unit_choice(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::Debu
         .accessible_name(name);
 }
 
-fn note_below(ui: &mut Ui, note: &Note, height: f32, commands: &mut Vec<Command>) -> Response {
-    let palette = theme::palette(ui);
-    let color = match note.severity {
-        Severity::Error => palette.red,
-        Severity::Warning => palette.amber,
-    };
-    let said = ui.label(RichText::new(format!("⚠ {}", note.message)).size(theme::SMALL_SIZE).color(color));
-    super::text::announce(ui, &said);
+fn note_below(ui: &mut Ui, note: &Note, about: Id, height: f32, commands: &mut Vec<Command>) {
+    super::text::note(ui, note.severity, &note.message, Some(about));
     if !note.fixes.is_empty() {
         ui.horizontal_wrapped(|ui| {
             for fix in &note.fixes {
@@ -310,5 +300,4 @@ fn note_below(ui: &mut Ui, note: &Note, height: f32, commands: &mut Vec<Command>
             }
         });
     }
-    said
 }

@@ -11,6 +11,14 @@ pub fn column(ui: &mut Ui, id: &str, add_contents: impl FnOnce(&mut Ui)) {
     });
 }
 
+/// What scrolls when it would be higher than `height`, and keeps in view what has the focus.
+pub fn up_to(ui: &mut Ui, height: f32, add_contents: impl FnOnce(&mut Ui)) {
+    ScrollArea::vertical().max_height(height).show(ui, |ui| {
+        add_contents(ui);
+        reveal_focus(ui);
+    });
+}
+
 /// What had the focus in the frame before, and what could be seen of the column.
 #[derive(Clone, Copy, Default)]
 struct Before {

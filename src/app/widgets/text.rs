@@ -1,8 +1,9 @@
 //! Text with a meaning: headings, captions, and their roles for assistive technology.
 
 use crate::app::theme::{self, Palette};
-use egui::accesskit::{Live, Role};
-use egui::{FontId, Response, RichText, Ui};
+use crate::formats::inputs::Severity;
+use egui::accesskit::{Invalid, Live, Role};
+use egui::{FontId, Id, Response, RichText, Ui};
 
 /// A heading of `level` 1 to 6.
 pub fn heading(ui: &mut Ui, text: &str, level: usize, font: FontId, color: egui::Color32) -> Response {
@@ -30,6 +31,38 @@ pub fn caption(ui: &mut Ui, text: impl Into<String>) -> Response {
 /// Has `response` announced when its text changes, without interrupting.
 pub fn announce(ui: &Ui, response: &Response) {
     ui.accesskit_node_builder(response.id, |node| node.set_live(Live::Polite));
+}
+
+/// What is wrong, or remarkable, with the field `about`, below it: said when it appears, and to whoever comes to the field.
+pub fn note(ui: &mut Ui, severity: Severity, sentence: &str, about: Option<Id>) -> Response {
+    let palette = theme::palette(ui);
+    let color = match severity {
+        Severity::Error => palette.red,
+        Severity::Warning => palette.amber,
+    };
+    let said = ui.label(RichText::new(format!("⚠ {sentence}")).size(theme::SMALL_SIZE).color(color));
+    announce(ui, &said);
+    if let Some(field) = about {
+        ui.accesskit_node_builder(field, |node| {
+            node.set_described_by(vec![said.id.accesskit_id()]);
+            if severity == Severity::Error {
+                node.set_invalid(Invalid::True);
+            }
+        });
+    }
+    said
+}
+
+/// A unit as it is said: symbols are for the eye.
+pub fn spoken_unit(symbol: &str) -> &str {
+    match symbol {
+        "px" => "pixels",
+        "mm" => "millimetres",
+        "µm" => "micrometres",
+        "m" => "metres",
+        "°" => "degrees",
+        other => other,
+    }
 }
 
 /// A button that looks like a link, for what is offered beside the main thing.

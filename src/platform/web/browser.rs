@@ -44,9 +44,19 @@ impl Platform for Browser {
     }
 
     fn save(&mut self, text: &str) -> Result<(), String> {
+        let outcome = storage().and_then(|storage| {
+            storage
+                .set_item(STORAGE_KEY, text)
+                .map_err(|error| format!("This browser could not store your inputs: {}", sentence(&error)))
+        });
+        super::page::note_kept(outcome.is_ok());
+        outcome
+    }
+
+    fn set_aside(&mut self, text: &str) -> Result<(), String> {
         storage()?
-            .set_item(STORAGE_KEY, text)
-            .map_err(|error| format!("This browser could not store your inputs: {}", sentence(&error)))
+            .set_item(&format!("{STORAGE_KEY}/set aside"), text)
+            .map_err(|error| sentence(&error))
     }
 
     fn copy(&mut self, ctx: &egui::Context, text: String) {
@@ -58,7 +68,7 @@ impl Platform for Browser {
                 return;
             }
         };
-        // Called here and not in the task: browsers allow it only while they handle a click or a key.
+        // Called here and not in the task: browsers allow it only soon after a click or a key, and some only while they handle it.
         let promise = clipboard.write_text(&text);
         let copied = Rc::clone(&self.copied);
         let ctx = ctx.clone();
@@ -66,7 +76,10 @@ impl Platform for Browser {
             let outcome = wasm_bindgen_futures::JsFuture::from(promise).await;
             copied.replace(Some(match outcome {
                 Ok(_undefined) => Ok(()),
-                Err(error) => Err(format!("This browser refused to copy: {}", sentence(&error))),
+                Err(error) => Err(format!(
+                    "This browser refused to copy: {} Allow this page to use the clipboard and try again.",
+                    sentence(&error)
+                )),
             }));
             ctx.request_repaint();
         });
@@ -115,7 +128,7 @@ fn clipboard() -> Result<web_sys::Clipboard, String> {
     let clipboard = web_sys::window().ok_or("There is no browser window.")?.navigator().clipboard();
     // Typed as always there, but browsers leave it out of pages that did not arrive securely.
     if clipboard.is_undefined() {
-        return Err("This browser copies only from pages that arrive over https or from this computer.".to_owned());
+        return Err("This browser copies only from pages that arrive over https or from this computer: open the page that way.".to_owned());
     }
     Ok(clipboard)
 }

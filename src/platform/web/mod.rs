@@ -62,8 +62,8 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
         .map_err(|error| browser::sentence(&error))
 }
 
-/// Lets a test read what the program says (`accessibleMirror.description()`) and what the page beside the canvas says
-/// (`accessibleMirror.readBack()`): the two must be equal.
+/// Lets a test read what egui says (`accessibleMirror.tree()`), what page that makes (`description()`) and what the page
+/// beside the canvas says (`readBack()`): the last two must be equal.
 fn expose_mirror() {
     let mirror = js_sys::Object::new();
     let offer = |name: &str, read: fn() -> String| {
@@ -73,6 +73,7 @@ fn expose_mirror() {
     };
     offer("description", mirror::Mirror::description);
     offer("readBack", mirror::Mirror::read_back);
+    offer("tree", mirror::Mirror::tree);
     let _ = js_sys::Reflect::set(&js_sys::global(), &"accessibleMirror".into(), &mirror);
 }
 
@@ -81,20 +82,38 @@ fn listen(ctx: &egui::Context) {
     let Some(window) = web_sys::window() else { return };
     // A link followed within the page changes only its fragment: the program has to be woken to read it.
     let waking = ctx.clone();
-    on(&window, "hashchange", move || waking.request_repaint());
+    on(&window, "hashchange", move |_| waking.request_repaint());
     let waking = ctx.clone();
-    on(&window, "storage", move || {
-        browser::note_foreign_change();
-        waking.request_repaint();
+    on(&window, "storage", move |event| {
+        // One origin may serve several programs. No key: all has been cleared.
+        let key = event.dyn_ref::<web_sys::StorageEvent>().and_then(web_sys::StorageEvent::key);
+        if key.is_none_or(|key| key == browser::STORAGE_KEY) {
+            browser::note_foreign_change();
+            waking.request_repaint();
+        }
     });
-    if matches("(prefers-reduced-motion: reduce)") {
-        ctx.all_styles_mut(|style| style.animation_time = 0.0);
+    const CALM: &str = "(prefers-reduced-motion: reduce)";
+    let (calmed, usual) = (ctx.clone(), ctx.style_of(egui::Theme::Light));
+    let follow = move || {
+        let calm = matches(CALM);
+        calmed.all_styles_mut(|style| {
+            style.animation_time = if calm { 0.0 } else { usual.animation_time };
+            style.scroll_animation = if calm {
+                egui::style::ScrollAnimation::none()
+            } else {
+                usual.scroll_animation
+            };
+        });
+    };
+    follow();
+    if let Ok(Some(query)) = window.match_media(CALM) {
+        on(&query, "change", move |_| follow());
     }
     // Another set of chosen colours is dark or light as well, and some browsers tell only of that.
     for query in ["(forced-colors: active)", "(prefers-color-scheme: dark)"] {
         if let Ok(Some(query)) = window.match_media(query) {
             let waking = ctx.clone();
-            on(&query, "change", move || {
+            on(&query, "change", move |_| {
                 browser::note_changed_colors();
                 waking.request_repaint();
             });
@@ -108,8 +127,8 @@ fn matches(query: &str) -> bool {
     list.is_some_and(|list| list.matches())
 }
 
-fn on(target: &web_sys::EventTarget, event: &str, act: impl FnMut() + 'static) {
-    let listener = Closure::<dyn FnMut()>::new(act);
+fn on(target: &web_sys::EventTarget, event: &str, act: impl FnMut(web_sys::Event) + 'static) {
+    let listener = Closure::<dyn FnMut(web_sys::Event)>::new(act);
     if target
         .add_event_listener_with_callback(event, listener.as_ref().unchecked_ref())
         .is_err()

@@ -2,8 +2,6 @@
 
 use wasm_bindgen::JsCast as _;
 
-use super::browser::STORAGE_KEY;
-
 /// The element of the page with this id.
 pub(super) fn element(id: &str) -> Option<web_sys::Element> {
     web_sys::window()?.document()?.get_element_by_id(id)
@@ -11,7 +9,9 @@ pub(super) fn element(id: &str) -> Option<web_sys::Element> {
 
 /// Uncovers the canvas, and marks the moment as `first-frame` for whoever measures the start.
 pub(super) fn show_program() {
-    set_hidden("loading", true);
+    if let Some(loading) = element("loading").and_then(|element| element.dyn_into::<web_sys::HtmlElement>().ok()) {
+        loading.set_hidden(true);
+    }
     if let Some(performance) = web_sys::window().and_then(|window| window.performance()) {
         // A missing measurement disturbs nobody.
         performance.mark("first-frame").ok();
@@ -20,42 +20,26 @@ pub(super) fn show_program() {
 
 /// Covers everything with what happened, what to do about it, and the details for a bug report.
 ///
-/// The first failure stays: later ones are its consequences.
+/// `assets/web/start.js` does it, as it does with what goes wrong before the program runs and after it has stopped.
 pub(super) fn show_failure(what: &str, todo: &str, detail: &str) {
-    let shown = element("fatal").is_some_and(|fatal| !fatal.has_attribute("hidden"));
-    if shown {
-        return;
-    }
-    set_text("fatal-what", what);
-    set_text("fatal-todo", todo);
-    set_text("fatal-detail", detail);
-    set_hidden("fatal-more", detail.is_empty());
-    offer_empty_form();
-    set_hidden("loading", true);
-    set_hidden("fatal", false);
-}
-
-/// Where the program has not run long, what it read at the start may be why it failed, and would be again.
-fn offer_empty_form() {
-    const LONG_MS: f64 = 10_000.0;
-    let performance = web_sys::window().and_then(|window| window.performance());
-    let ran_long = performance.is_some_and(|performance| performance.now() > LONG_MS);
-    if let Some(button) = element("afresh").filter(|_| !ran_long) {
-        // assets/web/start.js puts aside what is stored there.
-        button.set_attribute("data-key", STORAGE_KEY).ok();
-        set_hidden("afresh", false);
+    let event = web_sys::CustomEventInit::new();
+    event.set_detail(
+        &[what, todo, detail]
+            .map(wasm_bindgen::JsValue::from)
+            .into_iter()
+            .collect::<js_sys::Array>(),
+    );
+    if let (Some(window), Ok(event)) = (
+        web_sys::window(),
+        web_sys::CustomEvent::new_with_event_init_dict("program-failed", &event),
+    ) {
+        window.dispatch_event(&event).ok();
     }
 }
 
-fn set_text(id: &str, text: &str) {
-    if let Some(element) = element(id) {
-        element.set_text_content(Some(text));
-    }
-}
-
-fn set_hidden(id: &str, hidden: bool) {
-    let element = element(id).and_then(|element| element.dyn_into::<web_sys::HtmlElement>().ok());
-    if let Some(element) = element {
-        element.set_hidden(hidden);
+/// Notes whether what was entered is stored, for what the page says when the program has failed.
+pub(super) fn note_kept(kept: bool) {
+    if let Some(fatal) = element("fatal") {
+        fatal.set_attribute("data-kept", if kept { "yes" } else { "no" }).ok();
     }
 }

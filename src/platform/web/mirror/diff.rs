@@ -1,6 +1,6 @@
 //! What has to be done to a page so that it becomes another one, and what a person has to be told about it.
 
-use egui::accesskit::{NodeId, Toggled};
+use egui::accesskit::{Live, NodeId, Toggled};
 
 use super::model::{Element, Page, Place};
 
@@ -100,27 +100,51 @@ pub(crate) enum Urgency {
     Assertive,
 }
 
-/// What is to be said aloud because it has appeared.
+/// Something to be said aloud.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Announcement {
+    /// Whose words they are: newer words of the same element replace older ones that nobody has heard yet.
+    pub(crate) id: NodeId,
+    pub(crate) urgency: Urgency,
+    pub(crate) words: String,
+}
+
+/// What is to be said aloud because it has appeared or changed.
 ///
 /// A live region is announced by the browser when it changes, but not when it comes into the page with its words
-/// already in it; only an alert is. Those regions are announced by an element that has always been there.
-pub(crate) fn announcements(old: &Page, new: &Page) -> Vec<(Urgency, String)> {
+/// already in it, and not what it is about. So what the application calls live is said by elements that have always been
+/// there. The roles that are live by themselves (`alert`, `status`, …) are left to the browser, but for the words that a
+/// `status` comes with.
+pub(crate) fn announcements(old: &Page, new: &Page) -> Vec<Announcement> {
     // Nobody wants the whole page read out at its start.
     if old.elements.is_empty() {
         return Vec::new();
     }
-    let appeared = new.elements.iter().filter(|element| old.get(element.id).is_none());
-    appeared
-        .filter_map(|element| {
-            let attribute = |name: &str| element.attributes.get(name).map(String::as_str);
-            let urgency = match (attribute("role"), attribute("aria-live")) {
-                (Some("alert" | "alertdialog"), _) | (_, Some("off")) => return None,
-                (_, Some("assertive")) => Urgency::Assertive,
-                (Some("status"), _) | (_, Some("polite")) => Urgency::Polite,
-                _ => return None,
-            };
-            let words = new.words(element.id);
-            (!words.is_empty()).then_some((urgency, words))
+    let said = |page: &Page, element: &Element| {
+        let words = page.words(element.id);
+        match element.attributes.get("aria-description") {
+            Some(about) if !words.is_empty() => format!("{about}: {words}"),
+            _ => words,
+        }
+    };
+    let all = new.elements.iter().filter_map(|element| {
+        // egui numbers most widgets by their position, so what has this number now may have been something else.
+        let before = old
+            .get(element.id)
+            .filter(|before| is_same_element(before, element) && before.live == element.live);
+        let urgency = match (element.live, element.attributes.get("role").map(String::as_str)) {
+            (Some(Live::Assertive), _) => Urgency::Assertive,
+            (Some(Live::Polite), _) => Urgency::Polite,
+            (None, Some("status")) if before.is_none() => Urgency::Polite,
+            _ => return None,
+        };
+        let words = said(new, element);
+        let is_news = before.is_none_or(|before| said(old, before) != words);
+        (is_news && !words.is_empty()).then_some(Announcement {
+            id: element.id,
+            urgency,
+            words,
         })
-        .collect()
+    });
+    all.collect()
 }

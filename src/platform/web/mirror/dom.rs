@@ -6,18 +6,19 @@ use egui::accesskit::{self, Action, ActionData, NodeId, TextSelection, Toggled, 
 use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{Document, Element, FocusOptions, HtmlCanvasElement, HtmlElement, HtmlInputElement, HtmlTextAreaElement, Node};
 
-use super::diff::{self, Edit, Urgency};
+use super::announcer::Announcer;
+use super::diff::{self, Edit};
 use super::events::{SIGNALS, act};
 use super::model::{self, InputMode, Nodes, Page, element_id};
 use super::plugin::Options;
 
 /// Under the canvas, which therefore gets the mouse, and without `pointer-events:none`, which to WebDriver means that a
-/// field cannot be cleared. The canvas need not be opaque, so the page is invisible by itself. Its opacity is not zero,
-/// because what has none counts as not displayed to WebDriver; a thousandth is less than half a step of an 8-bit colour, so
-/// nothing of it reaches the screen. `visibility` and `display` would take the page from the accessibility tree as well, and
-/// a page clipped to nothing or moved aside would not say where on the screen its elements are.
+/// field cannot be cleared. The canvas need not be opaque, so the page is invisible by itself: its paint is clipped away,
+/// its layout is not, which says where on the screen its elements are. `visibility` and `display` would take the page from
+/// the accessibility tree as well, without any opacity it would not count as displayed to WebDriver, and with a little of
+/// it browsers would take its text for the largest thing that they have painted.
 const HOST_STYLE: &str = "position:absolute;z-index:-1;margin:0;padding:0;border:0;overflow:clip;contain:strict;\
-    opacity:0.001;font:16px sans-serif;color:#808080;background:none";
+    clip-path:inset(50%);font:16px sans-serif;color:#808080;background:none";
 
 /// Every element lies where it is painted. The size of the text keeps phones from zooming in on a field.
 const ELEMENT_STYLE: &str = "position:absolute;box-sizing:border-box;margin:0;padding:0;border:0;min-width:0;min-height:0;\
@@ -33,12 +34,12 @@ pub(crate) struct Dom {
     content: HtmlElement,
     /// Empty places before and after the content: Tab goes on from there.
     edges: [HtmlElement; 2],
-    polite: HtmlElement,
-    assertive: HtmlElement,
+    announcer: Announcer,
     document: Document,
     input_mode: InputMode,
     elements: HashMap<NodeId, HtmlElement>,
     nodes: Nodes,
+    root: NodeId,
     page: Page,
     /// What the page depends on besides the nodes: focus, size of a point, whether a modal is open, size of the canvas.
     circumstances: Option<(NodeId, f32, bool, egui::Vec2)>,
@@ -67,16 +68,15 @@ impl Dom {
             }
         };
         host.style().set_css_text(HOST_STYLE);
-        let (content, polite, assertive) = (make("div")?, make("div")?, make("div")?);
+        let content = make("div")?;
         let edges = [make("span")?, make("span")?];
         for edge in &edges {
             edge.set_tab_index(-1);
         }
-        polite.set_attribute("aria-live", "polite")?;
-        assertive.set_attribute("aria-live", "assertive")?;
-        for part in [&edges[0], &content, &edges[1], &polite, &assertive] {
+        for part in [&edges[0], &content, &edges[1]] {
             host.append_child(part)?;
         }
+        let announcer = Announcer::new(&document, &host)?;
 
         // The elements of the mirror are what Tab stops at, not the canvas as a whole.
         canvas.set_tab_index(-1);
@@ -96,12 +96,12 @@ impl Dom {
             host,
             content,
             edges,
-            polite,
-            assertive,
+            announcer,
             document,
             input_mode: options.input_mode,
             elements: HashMap::new(),
             nodes: Nodes::new(),
+            root: NodeId(0),
             page: Page::default(),
             circumstances: None,
             agent_says: [const { None }; 4],
@@ -127,6 +127,10 @@ impl Dom {
         &self.document
     }
 
+    pub(crate) fn announcer(&self) -> &Announcer {
+        &self.announcer
+    }
+
     /// Is it the canvas, or what stands for it while text is edited?
     pub(crate) fn is_canvas(&self, element: &Element) -> bool {
         let canvas: &Element = &self.canvas;
@@ -148,6 +152,7 @@ impl Dom {
                 self.lay_over_canvas();
             }
             self.circumstances = circumstances;
+            self.root = root;
             if !same_nodes {
                 self.nodes = update.nodes.into_iter().collect();
             }
@@ -170,9 +175,7 @@ impl Dom {
             // One element that the browser refuses must not take the rest of the page with it.
             let _ = self.carry_out(edit);
         }
-        for (urgency, words) in diff::announcements(&self.page, &page) {
-            self.announce(urgency, &words);
-        }
+        self.announcer.announce(diff::announcements(&self.page, &page));
         let focus_before = self.page.focus;
         self.page = page;
         self.follow_focus(focus_before, held.as_ref(), moved);
@@ -237,7 +240,7 @@ impl Dom {
 
     fn set_value(&self, id: NodeId, value: &str) {
         // Writing into a field in the middle of a composition would end it.
-        if SIGNALS.with(|signals| signals.composing.get()) {
+        if SIGNALS.with(|signals| signals.composing.get()) == Some(id) {
             return;
         }
         let Some(element) = self.elements.get(&id) else { return };
@@ -267,16 +270,6 @@ impl Dom {
                 self.set_value(id, &value);
             }
         }
-    }
-
-    fn announce(&self, urgency: Urgency, words: &str) {
-        let region = match urgency {
-            Urgency::Polite => &self.polite,
-            Urgency::Assertive => &self.assertive,
-        };
-        // The same words twice are a change only if something differs.
-        let again = region.text_content().as_deref() == Some(words);
-        region.set_text_content(Some(&if again { format!("{words}\u{a0}") } else { words.to_owned() }));
     }
 
     /// Puts the browser's focus where egui's went, if it was in the mirror (`held`), and never leaves it nowhere.
@@ -425,6 +418,12 @@ impl Dom {
         element.top() < host.top() || element.bottom() > host.bottom() || element.left() < host.left() || element.right() > host.right()
     }
 
+    /// The AccessKit tree that the page was made from, as [`super::tree::text`] writes it.
+    pub(crate) fn tree(&self) -> String {
+        let scale = self.circumstances.map_or(1.0, |(_, scale, _, _)| scale);
+        super::tree::text(&self.nodes, self.root, 1.0 / f64::from(scale))
+    }
+
     /// The page as text, from what the browser holds.
     pub(crate) fn read_back(&self) -> String {
         let mut text = String::new();
@@ -486,6 +485,21 @@ fn selection(element: &HtmlElement) -> Option<(usize, usize)> {
     })
 }
 
+/// Where an element was put.
+fn place(element: &Element) -> model::Place {
+    let style = element.dyn_ref::<HtmlElement>().map(HtmlElement::style);
+    let pixels = |side: &str| {
+        let text = style.as_ref().and_then(|style| style.get_property_value(side).ok());
+        text.and_then(|text| text.trim_end_matches("px").parse().ok()).unwrap_or_default()
+    };
+    model::Place {
+        left: pixels("left"),
+        top: pixels("top"),
+        width: pixels("width"),
+        height: pixels("height"),
+    }
+}
+
 fn read(parent: &Element, depth: usize, text: &mut String) {
     let children = parent.children();
     for element in (0..children.length()).filter_map(|index| children.item(index)) {
@@ -523,6 +537,7 @@ fn read(parent: &Element, depth: usize, text: &mut String) {
             &inside,
             value.as_deref(),
             checked,
+            place(&element),
         ));
         read(&element, depth + 1, text);
     }

@@ -30,8 +30,8 @@ pub(crate) struct Signals {
     pub(crate) quiet: Cell<bool>,
     /// Escape was pressed: the next Tab goes to what follows the application.
     pub(crate) leaving: Cell<bool>,
-    /// An input method is composing text.
-    pub(crate) composing: Cell<bool>,
+    /// The field in which an input method is composing text.
+    pub(crate) composing: Cell<Option<NodeId>>,
     /// Fields that were typed into since the last frame.
     pub(crate) touched: RefCell<Vec<NodeId>>,
     /// The caret of the focused field may have moved.
@@ -96,11 +96,11 @@ pub(crate) fn listen(dom: &Dom) -> Result<Vec<Listener>, JsValue> {
         Listener::new(host, "input", false, typed)?,
         Listener::new(host, "change", false, typed)?,
         Listener::new(host, "keydown", false, key_pressed)?,
-        Listener::new(host, "compositionstart", false, |_| {
-            SIGNALS.with(|signals| signals.composing.set(true))
+        Listener::new(host, "compositionstart", false, |event| {
+            SIGNALS.with(|signals| signals.composing.set(target(event)))
         })?,
         Listener::new(host, "compositionend", false, |event| {
-            SIGNALS.with(|signals| signals.composing.set(false));
+            SIGNALS.with(|signals| signals.composing.set(None));
             typed(event);
         })?,
         Listener::new(dom.document(), "selectionchange", false, |_| caret_moved())?,
@@ -153,7 +153,10 @@ fn focus_came(event: &Event) {
 }
 
 fn focus_went() {
-    SIGNALS.with(|signals| signals.focused.set(None));
+    SIGNALS.with(|signals| {
+        signals.focused.set(None);
+        signals.composing.set(None);
+    });
     let _ = with(|dom| dom.ctx().request_repaint());
 }
 
@@ -203,6 +206,19 @@ fn typed(event: &Event) {
         }
         SIGNALS.with(|signals| signals.touched.borrow_mut().push(id));
         dom.ctx().request_repaint();
+        if let (Kind::Range, false, true) = (element.kind, element.allowed.set_value, element.allowed.step) {
+            // Phones move a slider by setting its value. Where only steps are taken, that is a step in its direction.
+            let before = element.value.as_deref().and_then(model::number);
+            if let (Some(before), Some(now)) = (before, model::number(&now)) {
+                act(
+                    dom.ctx(),
+                    id,
+                    if now > before { Action::Increment } else { Action::Decrement },
+                    None,
+                );
+            }
+            return;
+        }
         if !element.allowed.set_value {
             return;
         }
@@ -241,7 +257,7 @@ fn key_pressed(event: &Event) {
                 if dom.page().focus != Some(id) && event.key() != "Escape" {
                     act(dom.ctx(), id, Action::Focus, None);
                 }
-                press(dom.ctx(), event, modifiers);
+                press(dom.ctx(), event, modifiers, element.kind);
             }
             Route::Step(direction) if element.allowed.step => {
                 event.prevent_default();
@@ -255,15 +271,22 @@ fn key_pressed(event: &Event) {
                 event.prevent_default();
                 act(dom.ctx(), id, Action::Click, None);
             }
-            Route::Step(_) | Route::Click => press(dom.ctx(), event, modifiers),
+            Route::Step(_) | Route::Click => press(dom.ctx(), event, modifiers, element.kind),
         }
     });
 }
 
 /// Presses and releases a key in egui. The release is not waited for: it may happen on another element.
-fn press(ctx: &egui::Context, event: &KeyboardEvent, modifiers: egui::Modifiers) {
+fn press(ctx: &egui::Context, event: &KeyboardEvent, modifiers: egui::Modifiers, kind: Kind) {
     let physical_key = egui::Key::from_name(event.code().trim_start_matches("Key").trim_start_matches("Digit"));
     let name = event.key();
+    // A key may be a command by what it writes ("?"), wherever it is on the keyboard. A field has its text otherwise.
+    let is_text = name.chars().count() == 1 && !kind.is_text() && !modifiers.command && !modifiers.alt;
+    if is_text {
+        let text = egui::Event::Text(name.clone());
+        SIGNALS.with(|signals| signals.queue.borrow_mut().push(text));
+        ctx.request_repaint();
+    }
     let Some(key) = egui::Key::from_name(&name)
         .or_else(|| egui::Key::from_name(&name.to_uppercase()))
         .or(physical_key)

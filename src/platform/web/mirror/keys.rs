@@ -60,6 +60,8 @@ pub(crate) fn route(kind: Kind, key: &str, modifiers: Modifiers) -> Route {
     if chord {
         return match key.to_ascii_lowercase().as_str() {
             "enter" => SHARED,
+            // But on a Mac, where another character comes of it, this writes nothing.
+            key if modifiers.alt && !modifiers.ctrl && key.len() == 1 && key.starts_with(|c: char| c.is_ascii_digit()) => EGUI,
             // Copy, paste, undo and moving by words belong to the field.
             _ if kind.is_text() => Route::Browser,
             _ => SHARED,
@@ -68,6 +70,8 @@ pub(crate) fn route(kind: Kind, key: &str, modifiers: Modifiers) -> Route {
     match (kind, key) {
         (_, "Escape") => SHARED,
         (Kind::Lines, _) => Route::Browser,
+        // A larger step, if it is one.
+        (Kind::Range, "ArrowUp" | "ArrowDown" | "ArrowLeft" | "ArrowRight") if modifiers.shift => EGUI,
         (Kind::Stepper | Kind::Range, "ArrowUp") | (Kind::Range, "ArrowRight") => Route::Step(Direction::Up),
         (Kind::Stepper | Kind::Range, "ArrowDown") | (Kind::Range, "ArrowLeft") => Route::Step(Direction::Down),
         (Kind::Range, "Home" | "End" | "PageUp" | "PageDown") => Route::Browser,

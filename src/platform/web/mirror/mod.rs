@@ -18,7 +18,8 @@
 //! # The parts
 //!
 //! `roles` chooses an element for a role; `model` describes the page; `diff` finds what has changed; `keys` says who gets a
-//! key. These four know no browser. `dom` carries the changes out, and `events` listens.
+//! key. These four know no browser. `dom` carries the changes out, `announcer` says what is live, `events` listens, and `tree`
+//! hands the AccessKit tree itself to a test, which compares.
 //!
 //! # Focus and keys
 //!
@@ -41,6 +42,8 @@ pub(crate) mod model;
 pub(crate) mod roles;
 
 #[cfg(target_arch = "wasm32")]
+mod announcer;
+#[cfg(target_arch = "wasm32")]
 mod dom;
 #[cfg(target_arch = "wasm32")]
 mod events;
@@ -48,6 +51,8 @@ mod events;
 mod plugin;
 #[cfg(test)]
 mod tests;
+#[cfg(target_arch = "wasm32")]
+mod tree;
 
 #[cfg(target_arch = "wasm32")]
 pub use self::plugin::{Mirror, Options};

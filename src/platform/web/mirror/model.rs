@@ -52,6 +52,8 @@ pub(crate) struct Element {
     /// The state of a box or radio button: a property, not an attribute.
     pub(crate) checked: Option<Toggled>,
     pub(crate) place: Place,
+    /// What the application wants to be said aloud when it appears or changes.
+    pub(crate) live: Option<Live>,
     pub(crate) children: Vec<NodeId>,
 }
 
@@ -201,6 +203,7 @@ impl std::fmt::Display for Page {
                 element.text.as_deref().unwrap_or_default(),
                 element.value.as_deref().filter(|_| !is_password),
                 element.checked,
+                element.place,
             );
             f.write_str(&line)?;
             element.children.iter().try_for_each(|child| write(page, *child, depth + 1, f))
@@ -236,6 +239,7 @@ pub(crate) fn line<'a>(
     text: &str,
     value: Option<&str>,
     checked: Option<Toggled>,
+    place: Place,
 ) -> String {
     let mut line = format!("{:1$}{tag}", "", depth * 2);
     for (name, value) in attributes {
@@ -249,6 +253,10 @@ pub(crate) fn line<'a>(
     }
     if !text.is_empty() {
         let _ = write!(line, " text: {text:?}");
+    }
+    if place != Place::default() {
+        let Place { left, top, width, height } = place;
+        let _ = write!(line, " at: {left} {top} {width} {height}");
     }
     line.push('\n');
     line
@@ -353,10 +361,14 @@ impl Writer<'_> {
         });
         let Some(owner) = self.page.elements.get_mut(owner) else { return };
         let is_combo_box = owner.attributes.get("role").is_some_and(|role| role == "combobox");
+        let owner_id = owner.id;
         if let Some((id, role)) = popup {
             owner.attributes.insert("aria-expanded", "true".to_owned());
             owner.attributes.insert("aria-controls", element_id(id));
             owner.attributes.insert("aria-haspopup", role);
+            if let Some(popup) = self.page.get_mut(id).filter(|popup| popup.name.is_empty()) {
+                popup.attributes.insert("aria-labelledby", element_id(owner_id));
+            }
         } else if is_combo_box {
             owner.attributes.entry("aria-expanded").or_insert_with(|| "false".to_owned());
             owner.attributes.entry("aria-haspopup").or_insert_with(|| "listbox".to_owned());
@@ -498,6 +510,7 @@ fn describe(id: NodeId, node: &Node, shape: Shape, within: Within, input_mode: I
         checked: (shape.kind == Kind::Check).then(|| node.toggled().unwrap_or(Toggled::False)),
         name,
         place,
+        live: node.live(),
         children: Vec::new(),
     }
 }
@@ -542,7 +555,6 @@ fn states(attributes: &mut Attributes, node: &Node, shape: Shape, within: Within
     attributes.flag("aria-modal", node.is_modal());
     attributes.flag("aria-multiselectable", node.is_multiselectable());
     attributes.flag("aria-atomic", node.is_live_atomic());
-    attributes.set("aria-live", node.live().map(live));
     attributes.set("aria-expanded", node.is_expanded().map(|expanded| expanded.to_string()));
     attributes.set("aria-invalid", node.invalid().map(invalid));
     attributes.set("aria-orientation", node.orientation().map(orientation));
@@ -622,14 +634,6 @@ pub(crate) fn number(text: &str) -> Option<f64> {
         .parse::<f64>()
         .ok()
         .filter(|number| number.is_finite())
-}
-
-fn live(live: Live) -> &'static str {
-    match live {
-        Live::Off => "off",
-        Live::Polite => "polite",
-        Live::Assertive => "assertive",
-    }
 }
 
 fn invalid(invalid: Invalid) -> &'static str {

@@ -72,7 +72,8 @@ fn reading_order_is_the_order_of_children_through_containers_without_meaning() {
     tree.add(named, Role::Label, |node| label(node, "inside"));
     assert_eq!(
         tree.page().to_string(),
-        "h2 text: \"first\"\ndiv aria-label=\"a group\" role=\"group\"\n  span text: \"inside\"\nspan text: \"last\"\n"
+        "h2 text: \"first\" at: 0 0 1 1\ndiv aria-label=\"a group\" role=\"group\" at: 0 0 1 1\n  \
+         span text: \"inside\" at: 0 0 1 1\nspan text: \"last\" at: 0 0 1 1\n"
     );
 }
 
@@ -81,7 +82,7 @@ fn a_label_says_its_value_once_although_its_text_runs_say_it_too() {
     let mut tree = Tree::new();
     let id = tree.add(ROOT, Role::Label, |node| label(node, "Baseline"));
     tree.add(id, Role::TextRun, |node| node.set_value("Baseline"));
-    assert_eq!(tree.page().to_string(), "span text: \"Baseline\"\n");
+    assert_eq!(tree.page().to_string(), "span text: \"Baseline\" at: 0 0 1 1\n");
 }
 
 #[test]
@@ -219,6 +220,7 @@ fn a_combo_box_knows_its_open_list_and_the_buttons_in_it_are_options() {
     let open = tree.page();
     assert_eq!(attribute(&open, combo, "aria-expanded"), Some("true"));
     assert_eq!(attribute(&open, combo, "aria-controls"), Some(element_id(list).as_str()));
+    assert_eq!(attribute(&open, list, "aria-labelledby"), Some(element_id(combo).as_str()));
     assert_eq!(open.roots, [combo, list], "a list is not inside the button that opens it");
     assert_eq!(
         (attribute(&open, option, "role"), attribute(&open, option, "aria-selected")),
@@ -305,31 +307,68 @@ fn a_new_value_touches_nothing_but_the_value() {
     assert_eq!(diff(&before, &tree.page()), [Edit::Value(id, "12".to_owned())]);
 }
 
+/// What is announced when one tree has become the other.
+fn announced(old: &Tree, new: &Tree) -> Vec<(Urgency, String)> {
+    let all = announcements(&old.page(), &new.page());
+    all.into_iter().map(|one| (one.urgency, one.words)).collect()
+}
+
+fn live(node: &mut Node, words: &str) {
+    label(node, words);
+    node.set_live(Live::Polite);
+}
+
 #[test]
 fn what_appears_is_announced_once_but_not_at_the_start_and_no_alert() {
-    let mut tree = Tree::new();
-    let old = tree.page();
-    let id = tree.add(ROOT, Role::Label, |node| {
-        label(node, "not a number");
-        node.set_live(Live::Polite);
-    });
+    let mut started = Tree::new();
+    started.add(ROOT, Role::Button, |node| control(node, "Go"));
+    let mut tree = started.clone();
+    tree.add(ROOT, Role::Label, |node| live(node, "not a number"));
     tree.add(ROOT, Role::Alert, |node| label(node, "the browser announces alerts"));
-    assert_eq!(announcements(&old, &tree.page()), [], "the start");
-    let mut with_content = Tree::new();
-    with_content.add(ROOT, Role::Label, |node| label(node, "x"));
-    let mut old = with_content.page();
-    old.elements.retain(|element| element.id != id);
-    let empty_but_started = {
-        let mut tree = Tree::new();
-        tree.nodes.insert(NodeId(50), Node::new(Role::Button));
-        tree.nodes.get_mut(&ROOT).unwrap().push_child(NodeId(50));
-        tree.page()
-    };
+    assert_eq!(announced(&Tree::new(), &tree), [], "the start");
+    assert_eq!(announced(&started, &tree), [(Urgency::Polite, "not a number".to_owned())]);
+    assert_eq!(announced(&tree, &tree), []);
+}
+
+#[test]
+fn what_changes_is_announced_with_what_it_is_about() {
+    let mut before = Tree::new();
+    let result = before.add(ROOT, Role::Label, |node| live(node, "1.400 m"));
+    let node = before.nodes.get_mut(&result).unwrap();
+    node.set_description("Stereo distance");
+    let mut after = before.clone();
+    after.nodes.get_mut(&result).unwrap().set_value("0.700 m");
     assert_eq!(
-        announcements(&empty_but_started, &tree.page()),
-        [(Urgency::Polite, "not a number".to_owned())]
+        announced(&before, &after),
+        [(Urgency::Polite, "Stereo distance: 0.700 m".to_owned())]
     );
-    assert_eq!(announcements(&tree.page(), &tree.page()), []);
+    after.nodes.get_mut(&result).unwrap().clear_live();
+    assert_eq!(announced(&before, &after), [], "what is not live any more");
+}
+
+#[test]
+fn an_error_is_announced_also_where_its_number_was_another_widget_before() {
+    let mut before = Tree::new();
+    let id = before.add(ROOT, Role::Heading, |node| label(node, "Stereo"));
+    let mut after = Tree::new();
+    assert_eq!(after.add(ROOT, Role::Label, |node| live(node, "not a number")), id);
+    after.add(ROOT, Role::Heading, |node| label(node, "Stereo"));
+    assert_eq!(announced(&before, &after), [(Urgency::Polite, "not a number".to_owned())]);
+    // The same words under the same number, which were no news before.
+    let mut silent = after.clone();
+    silent.nodes.get_mut(&id).unwrap().clear_live();
+    assert_eq!(announced(&silent, &after), [(Urgency::Polite, "not a number".to_owned())]);
+}
+
+#[test]
+fn all_that_is_news_at_once_is_announced() {
+    let mut before = Tree::new();
+    before.add(ROOT, Role::Button, |node| control(node, "Coffee mug"));
+    let mut after = before.clone();
+    after.add(ROOT, Role::Label, |node| live(node, "1.400 m"));
+    after.add(ROOT, Role::Label, |node| live(node, "The example is filled in."));
+    let words: Vec<String> = announced(&before, &after).into_iter().map(|(_, words)| words).collect();
+    assert_eq!(words, ["1.400 m", "The example is filled in."]);
 }
 
 #[test]
@@ -428,6 +467,13 @@ fn a_field_types_and_edits_by_itself_and_only_enter_and_escape_reach_egui() {
         assert_eq!(route(Kind::Line, key, modifiers), Route::Browser, "{key}");
     }
     assert_eq!(route(Kind::Line, "Enter", Modifiers::NONE), Route::Egui { only: true });
+    assert_eq!(route(Kind::Line, "2", Modifiers::ALT), Route::Egui { only: true }, "another screen");
+    assert_eq!(route(Kind::Line, "2", Modifiers::NONE), Route::Browser);
+    assert_eq!(
+        route(Kind::Range, "ArrowUp", Modifiers::SHIFT),
+        Route::Egui { only: true },
+        "a larger step"
+    );
     assert_eq!(route(Kind::Lines, "Enter", Modifiers::NONE), Route::Browser, "a new line");
     assert_eq!(route(Kind::Lines, "Escape", Modifiers::NONE), Route::Egui { only: false });
     assert_eq!(route(Kind::Other, " ", Modifiers::NONE), Route::Click);

@@ -1,0 +1,85 @@
+//! Says aloud what the application calls live.
+
+use std::cell::{Cell, RefCell};
+
+use wasm_bindgen::{JsCast as _, JsValue, closure::Closure};
+use web_sys::{Document, HtmlElement, Node};
+
+use super::diff::{Announcement, Urgency};
+use super::plugin::with;
+
+/// Polite words wait until nothing has changed for so long: a result that changes with every key is said once.
+const PAUSE_MS: i32 = 400;
+/// Then they are taken away again, so that nobody comes across words that are no longer true.
+const KEEP_MS: i32 = 5000;
+
+/// The elements that browsers watch, there from the start and empty, and what they are to say next.
+pub(crate) struct Announcer {
+    polite: HtmlElement,
+    assertive: HtmlElement,
+    waiting: RefCell<Vec<Announcement>>,
+    timer: Cell<Option<i32>>,
+    on_time: Closure<dyn FnMut()>,
+}
+
+impl Announcer {
+    /// Makes its elements, at the end of `host`.
+    pub(crate) fn new(document: &Document, host: &Node) -> Result<Self, JsValue> {
+        let region = |urgency: &str| -> Result<HtmlElement, JsValue> {
+            let region: HtmlElement = document.create_element("div")?.dyn_into()?;
+            region.set_attribute("aria-live", urgency)?;
+            host.append_child(&region)?;
+            Ok(region)
+        };
+        Ok(Self {
+            polite: region("polite")?,
+            assertive: region("assertive")?,
+            waiting: RefCell::default(),
+            timer: Cell::default(),
+            on_time: Closure::new(|| {
+                let _ = with(|dom| dom.announcer().on_time());
+            }),
+        })
+    }
+
+    /// Has these said soon, with what waits already.
+    pub(crate) fn announce(&self, announcements: Vec<Announcement>) {
+        if announcements.is_empty() {
+            return;
+        }
+        let mut waiting = self.waiting.borrow_mut();
+        waiting.retain(|old| announcements.iter().all(|new| new.id != old.id));
+        waiting.extend(announcements);
+        let is_urgent = waiting.iter().any(|one| one.urgency == Urgency::Assertive);
+        self.wait(if is_urgent { 0 } else { PAUSE_MS });
+    }
+
+    fn wait(&self, milliseconds: i32) {
+        let Some(window) = web_sys::window() else { return };
+        if let Some(timer) = self.timer.take() {
+            window.clear_timeout_with_handle(timer);
+        }
+        let function = self.on_time.as_ref().unchecked_ref();
+        let timer = window.set_timeout_with_callback_and_timeout_and_arguments_0(function, milliseconds);
+        self.timer.set(timer.ok());
+    }
+
+    fn on_time(&self) {
+        self.timer.set(None);
+        let waiting = self.waiting.take();
+        for (region, urgency) in [(&self.polite, Urgency::Polite), (&self.assertive, Urgency::Assertive)] {
+            let words: Vec<&str> = waiting
+                .iter()
+                .filter(|one| one.urgency == urgency)
+                .map(|one| one.words.as_str())
+                .collect();
+            let words = words.join(". ");
+            // The same words twice are a change only if something differs.
+            let again = !words.is_empty() && region.text_content().as_deref() == Some(words.as_str());
+            region.set_text_content(Some(&if again { format!("{words}\u{a0}") } else { words }));
+        }
+        if !waiting.is_empty() {
+            self.wait(KEEP_MS);
+        }
+    }
+}
