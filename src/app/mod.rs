@@ -425,8 +425,8 @@ fn navigation(ui: &mut Ui, layout: Layout, screen: Screen, theme_preference: The
         }
         // Not from the right, which would have them read in the other order than they stand in.
         let side = layout.control_height();
-        let width = 2.0 * side + 2.0 * theme::STEP;
-        ui.add_space((ui.available_width() - width - ui.spacing().item_spacing.x).max(0.0));
+        ui.spacing_mut().button_padding.x = theme::STEP;
+        ui.add_space((ui.available_width() - 2.0 * side - ui.spacing().item_spacing.x).max(0.0));
         let keys = Button::new("?").min_size(vec2(side, side));
         if ui.add(keys).accessible_name("Keys").clicked() {
             commands.push(Command::ListKeys(true));

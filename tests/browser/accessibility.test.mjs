@@ -51,9 +51,25 @@ const SCREENS = {
     await page.press('Keys');
     await until('the dialog', () => page.run(`return document.querySelector('${MIRROR} [role=dialog]') !== null`));
   },
-  'a dialog': async (page) => {
+  'a dialog with a mistake': async (page) => {
     await page.press('from lens, FOV or Q…');
-    await until('the dialog', () => page.run(`return document.querySelector('${MIRROR} [role=dialog]') !== null`));
+    await page.fill('Pixel pitch', 'three');
+    await page.says(/Type one number/);
+  },
+  'the other dialog, with a list open': async (page) => {
+    await page.press('OpenCV ×16, doffs…');
+    await page.press('What is known');
+    await until('the list', () => page.run(`return document.querySelector('${MIRROR} [role=listbox]') !== null`));
+  },
+  'an open menu': async (page) => {
+    await page.press('Light or dark');
+    await until('the menu', () => page.run(`return document.querySelector('${MIRROR} [role=menu]') !== null`));
+  },
+  'a notice': async (page) => {
+    await page.press('Coffee mug (stereo)');
+    await page.says(/1\.400/);
+    await page.press('Reset');
+    await page.says(/All fields are cleared/);
   },
 };
 
@@ -110,10 +126,40 @@ for (const [name, reach] of Object.entries(SCREENS)) {
   }
 }
 
-it('axe-core finds nothing wrong with the page that says why the program cannot run', async (test) => {
+/** The pages that are not drawn by the program: their colours follow the system. */
+const PAGES = {
+  'the page that says why the program cannot run': async (page) => {
+    bench.server.state.programs = 'missing';
+    await page.startFailing();
+  },
+  'the page while the program loads': async (page) => {
+    Object.assign(bench.server.state, { programs: 'held', pieces: 0 });
+    await page.driver.get('about:blank');
+    await page.run('location.href = arguments[0]', bench.server.url);
+    await until('the page', () => page.run("return document.querySelector('progress') !== null"));
+  },
+  'the Learn page': (page) => page.driver.get(`${bench.server.url}learn.html`),
+};
+
+for (const [name, reach] of Object.entries(PAGES)) {
+  it(`axe-core finds nothing wrong with ${name}`, async (test) => {
+    const page = await bench.page(test);
+    for (const width of bench.unless('show a page as narrow as a phone') ? [1280] : WIDTHS) {
+      for (const dark of bench.unless('choose the colour scheme') ? [false] : [false, true]) {
+        await page.setScreen({ width, height: 900, dark });
+        await reach(page);
+        assert.deepEqual(await violations(page), [], `${width} pixels wide, ${dark ? 'dark' : 'light'}`);
+        bench.server.state.pieces = 20;
+      }
+    }
+  });
+}
+
+it('axe-core finds nothing wrong with the offer of a new version', async (test) => {
   const page = await bench.page(test);
-  bench.server.state.programs = 'missing';
-  await page.startFailing();
+  await page.start();
+  // As assets/web/register.js shows it.
+  await page.run("const bar = document.querySelector('[role=region][aria-label=\"New version\"]'); bar.hidden = false; bar.querySelector('p').textContent = 'A new version is ready.'");
   assert.deepEqual(await violations(page), []);
 });
 

@@ -131,6 +131,7 @@ const firefox = {
   cannot: {
     'show a page as narrow as a phone': 'its window is at least 450 pixels wide',
     'read the console': LACKS_A_LOG,
+    'list every request': LACKS_A_LOG,
     'run a script before the page': 'that needs WebDriver BiDi, which these tests do not speak',
     'choose the colours': 'it takes them from the desktop',
     'switch scripts off': LACKS_A_COMMAND,
@@ -195,6 +196,7 @@ const webkit = {
     'make its window lower': 'WebKitWebDriver calls the height of 420 pixels invalid',
     'go without WebGL or WebAssembly': 'MiniBrowser cannot switch them off',
     'read the console': LACKS_A_LOG,
+    'list every request': LACKS_A_LOG,
     'run a script before the page': LACKS_A_COMMAND,
     'switch scripts off': LACKS_A_COMMAND,
     'say what keeps a page from being installed': LACKS_A_COMMAND,

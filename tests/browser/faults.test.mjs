@@ -44,7 +44,7 @@ it('lost graphics lose nothing that was entered', async (test) => {
   await mugIsStored(page);
   await page.run("document.getElementById('app').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()");
   assert.match(await until('a message', () => page.failure()), /took the graphics away/);
-  await page.startAgain('reload');
+  await page.startAgain('Reload');
   assert.equal(await page.value(FX), '700');
   assert.equal(await page.value(BASELINE), '100');
   assert.equal(await page.value(DISPARITY), '50');
@@ -66,7 +66,7 @@ it('a panic is said, and a reload brings back what was entered', async (test) =>
   await panic(page);
   assert.match(await until('a message', () => page.failure()), /stopped because of an error in it/);
   assert.match(await page.run("return document.getElementById('fatal-detail').textContent"), /panicked at/);
-  await page.startAgain('reload');
+  await page.startAgain('Reload');
   assert.equal(await page.value(FX), '700');
   await page.says(/1\.400/);
 });
@@ -80,7 +80,7 @@ it('what is stored need not be read again if it may be why the program stops', a
   await page.reload();
   await panic(page);
   await until('a message', () => page.failure());
-  await page.startAgain('afresh');
+  await page.startAgain('Start with an empty form');
   assert.equal(await page.value(FX), '');
   assert.match(await page.run(`return localStorage.getItem('${STORAGE_KEY}/set aside')`), /"700"/, 'nothing is thrown away');
 });

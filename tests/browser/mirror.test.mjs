@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test as it } from 'node:test';
-import { startBench, until } from './page.mjs';
+import { Key, startBench, until } from './page.mjs';
 
 const MIRROR = '#accessible-mirror';
 const SEED = Number(process.env.SEED ?? 20_261_122);
@@ -79,6 +79,133 @@ const TEXTS_OF_MIRROR = `
   const { description, readBack } = globalThis.accessibleMirror ?? {};
   return description ? [description(), readBack()] : null;`;
 
+/** The role that each role of AccessKit is to a browser (WAI-ARIA 1.2 and HTML-AAM 1.0). Others are containers without a meaning of their own. */
+const ROLES = {
+  Label: [''],
+  Heading: ['heading'],
+  Button: ['button', 'option', 'menuitem', 'menuitemcheckbox'],
+  Tab: ['tab'],
+  TabList: ['tablist'],
+  ComboBox: ['combobox'],
+  TextInput: ['textbox'],
+  MultilineTextInput: ['textbox'],
+  NumberInput: ['textbox'],
+  Slider: ['slider'],
+  Image: ['image', 'img'],
+  Table: ['table'],
+  Row: ['row'],
+  Cell: ['cell'],
+  RowHeader: ['rowheader'],
+  ColumnHeader: ['columnheader'],
+  List: ['list'],
+  ListItem: ['listitem'],
+  Link: ['link'],
+  Form: ['form'],
+  Region: ['region'],
+  Dialog: ['dialog'],
+  ListBox: ['listbox'],
+  Menu: ['menu'],
+  Status: ['status'],
+  CheckBox: ['checkbox'],
+  RadioButton: ['radio'],
+};
+
+/** The AccessKit tree, as egui gave it last. */
+const TREE = `
+  return accessibleMirror.tree().split('\\u{1e}').filter(Boolean).map((record) => {
+    const [id, role, label, value, description, labelledBy, states, bounds] = record.split('\\u{1f}');
+    return { id, role, label, value, description, labelledBy: labelledBy.split(' ').filter(Boolean), states: states.split(' '), bounds: bounds ? bounds.split(' ').map(Number) : null };
+  });`;
+
+/** What the browser holds for each of these elements; null where there is none. */
+const HELD = `
+  const around = document.querySelector('canvas').getBoundingClientRect();
+  const ids = [...document.querySelectorAll('${MIRROR} [id]')].map((one) => one.id);
+  return [ids, Object.fromEntries(arguments[0].map((id) => {
+    const one = document.getElementById(id);
+    if (!one) return [id, null];
+    const { left, top, right, bottom } = one.getBoundingClientRect();
+    return [id, {
+      element: one,
+      isShutOut: one.closest('[inert]') !== null,
+      place: [left - around.left, top - around.top, right - around.left, bottom - around.top],
+      value: one.value ?? null,
+      description: one.getAttribute('aria-description'),
+      invalid: one.getAttribute('aria-invalid') === 'true',
+      disabled: one.getAttribute('aria-disabled') === 'true',
+      on: one.checked ?? one.getAttribute('aria-pressed') ?? one.getAttribute('aria-checked') ?? one.getAttribute('aria-selected'),
+      selected: one.getAttribute('aria-selected') === 'true',
+    }];
+  }))];`;
+
+const words = (text) => text.replaceAll('\u{a0}', ' ').replaceAll(/\s+/g, ' ').trim();
+
+/** Where what the browser tells assistive technology is not what egui says. One line for each. */
+async function differences(page) {
+  const tree = (await page.run(TREE)).filter(({ role }) => role in ROLES);
+  const [ids, held] = await page.run(HELD, tree.map(({ id }) => id));
+  const byId = new Map(tree.map((node) => [node.id, node]));
+  const found = [];
+  const order = ids.filter((id) => byId.has(id));
+  // What hangs below a control, its menu for one, follows it; otherwise the order is the same.
+  if (order.join() !== tree.filter(({ id }) => held[id]).map(({ id }) => id).join()) found.push('the order is another one');
+  let shutOut = 0;
+  for (const node of tree) {
+    const { id, role, label, value, labelledBy, states, bounds } = node;
+    const name = words(label || labelledBy.map((of) => byId.get(of)?.value ?? '').join(' ') || (['TextInput', 'NumberInput', 'ComboBox', 'MultilineTextInput'].includes(role) ? '' : value));
+    const seen = held[id];
+    const what = `${role} "${name}"`;
+    if (!seen) {
+      // A container that nobody named is nothing to anybody.
+      if (name || !['Region', 'List'].includes(role)) found.push(`${what} is missing`);
+      continue;
+    }
+    if (seen.isShutOut) {
+      shutOut += 1;
+      continue;
+    }
+    const computed = await seen.element.getAriaRole();
+    if (!ROLES[role].includes(computed) && !(role === 'Label' && ['generic', 'none', 'StaticText'].includes(computed))) found.push(`${what} has the role "${computed}"`);
+    // A cell is named by what is in it, which is looked at for itself, a list by what has opened it, a dialog by its heading.
+    const isNamed = role !== 'Label' && !(name === '' && /^(Cell|(Row|Column)Header|ListBox|Menu|Dialog)$/.test(role));
+    if (isNamed && words(await seen.element.getAccessibleName()) !== name) found.push(`${what} has the name "${await seen.element.getAccessibleName()}"`);
+    if (role === 'Label' && words(await seen.element.getProperty('textContent')) !== name) found.push(`${what} has another text`);
+    if (/Input$/.test(role) && seen.value !== value) found.push(`${what} holds "${seen.value}" instead of "${value}"`);
+    if (node.description && node.description !== label && seen.description !== node.description) found.push(`${what} is described as "${seen.description}"`);
+    for (const state of ['invalid', 'disabled', 'selected']) if (seen[state] !== states.includes(state) && !states.includes('on')) found.push(`${what}: ${state} is ${seen[state]}`);
+    if (states.includes('on') && String(seen.on) !== 'true') found.push(`${what} is on, but not to the browser`);
+    if (states.includes('off') && String(seen.on) !== 'false') found.push(`${what} is off, but not to the browser`);
+    if (bounds && bounds.some((edge, side) => Math.abs(edge - seen.place[side]) > 1.01)) found.push(`${what} lies at ${seen.place} instead of ${bounds}`);
+  }
+  const hasDialog = tree.some(({ role, id }) => role === 'Dialog' && held[id]);
+  if (hasDialog !== shutOut > 0) found.push(`behind ${hasDialog ? 'a' : 'no'} dialog ${shutOut} elements are shut out`);
+  return found;
+}
+
+it('what assistive technology is told is what egui says, and where it is painted', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  const look = async (where) => {
+    await page.frames();
+    assert.deepEqual(await differences(page), [], where);
+  };
+  await page.press('Coffee mug (stereo)');
+  await page.says(/1\.400/);
+  await page.press('Add uncertainty');
+  await page.fill('Uncertainty of Disparity (d)', '0.5');
+  await page.fill('Camera baseline (b)', 'ten');
+  await look('the calculator with a mistake');
+  await page.press('Unit of Camera baseline (b)');
+  await look('an open list');
+  assert.equal(await (await page.driver.findElement({ css: `${MIRROR} [role=listbox]` })).getAccessibleName(), 'Unit of Camera baseline (b)');
+  await page.type(Key.ESCAPE);
+  await page.press('OpenCV ×16, doffs…');
+  await look('a dialog');
+  await page.press('Cancel');
+  await page.press('Learn');
+  await look('the explanations');
+});
+
 it(`a random walk of ${BATCHES * STEPS} steps (seed ${SEED}) leaves the mirror as the program describes it`, async (test) => {
   const page = await bench.page(test);
   await page.start();
@@ -125,4 +252,79 @@ it('the fields hold what the program computes with, the table what it computes',
   assert.equal(await page.value('Disparity (d)'), stored.inputs.disparity.text);
   const headings = await page.run(`return [...document.querySelectorAll('${MIRROR} :is(h1, h2)')].map((one) => one.textContent)`);
   assert.deepEqual(headings.slice(0, 5), ['Depth Calculator', 'Camera', 'Stereo', 'Monocular', 'Results']);
+});
+
+/** Notes everything that the mirror says aloud. */
+const LISTEN = `
+  globalThis.spoken = [];
+  for (const region of document.querySelectorAll('${MIRROR} [aria-live]')) {
+    new MutationObserver(() => region.textContent && spoken.push(region.textContent)).observe(region, { childList: true, characterData: true, subtree: true });
+  }`;
+
+it('results are said when they change, with what they are, and errors when they appear', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.run(LISTEN);
+  const hears = (pattern) => until(`${pattern} aloud`, async () => pattern.test((await page.run('return spoken')).join(' | ')));
+  await page.press('Coffee mug (stereo)');
+  await hears(/Stereo distance: 1\.400 m/);
+  await hears(/The example is filled in\./);
+  await page.fill('Disparity (d)', '100');
+  await hears(/Stereo distance: 0\.7000 m/);
+  // The second error is said too, and the first not again.
+  await page.fill('Camera baseline (b)', '-3');
+  await hears(/⚠/);
+  await page.run('spoken.length = 0');
+  await page.fill('Focal length (fx)', 'seven');
+  await hears(/⚠.*seven/);
+  assert.doesNotMatch((await page.run('return spoken')).join(' | '), /-3/);
+});
+
+it('only what has changed touches the page, and nothing when nothing has', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.press('Coffee mug (stereo)');
+  await page.says(/1\.400/);
+  await page.fill('Focal length (fx)', '700');
+  await page.frames();
+  await page.run(`
+    globalThis.touched = [];
+    new MutationObserver((all) => touched.push(...all.map(({ type, target, attributeName }) => [type, attributeName, (target.closest?.('[id]') ?? target.parentElement?.closest('[id]'))?.id])))
+      .observe(document.querySelector('${MIRROR}'), { childList: true, characterData: true, attributes: true, subtree: true });`);
+  await page.fill('Focal length (fx)', 'seven');
+  await page.says(/⚠/);
+  await page.frames();
+  const all = await page.run(`return document.querySelectorAll('${MIRROR} *').length`);
+  const made = await page.run("return touched.filter(([type, , id]) => type === 'childList' && !id?.startsWith('mirror-')).length");
+  assert.ok(all > 100 && made < 15, `${made} of ${all} elements`);
+  // A pointer that moves is a pass in which nothing is another.
+  await page.run('touched.length = 0');
+  await page.run("document.querySelector('canvas').dispatchEvent(new PointerEvent('pointermove', { clientX: 5, clientY: 5, bubbles: true, isPrimary: true }))");
+  await page.frames();
+  assert.deepEqual(await page.run("return touched.filter(([, , id]) => id?.startsWith('mirror-'))"), []);
+});
+
+it('a number keyboard is asked for, and the question mark lists the keys wherever the keyboard is', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  assert.equal(await (await page.field('Disparity (d)')).getAttribute('inputmode'), 'decimal');
+  await page.run('arguments[0].focus()', await page.element('Reset', 'button'));
+  await page.type('?');
+  await page.says(/Step ten times as far|Shift \+ ↑ ↓/);
+  await page.press('Close');
+  await page.run('arguments[0].focus()', await page.field('Disparity (d)'));
+  await page.driver.actions().keyDown(Key.ALT).sendKeys('2').keyUp(Key.ALT).perform();
+  await page.says(/What this computes/);
+});
+
+it('a slider can be set, as phones do it', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.press('Coffee mug (stereo)');
+  await page.says(/1\.400/);
+  const slider = await until('the slider', () => page.run(`return document.querySelector('${MIRROR} input[type=range]')`));
+  assert.equal(await slider.getAccessibleName(), 'Disparity of the point, in pixels');
+  await page.run("arguments[0].value = '70'; arguments[0].dispatchEvent(new Event('input', { bubbles: true }))", slider);
+  await until('70 in the field', async () => (await page.value('Disparity (d)')) === '70');
+  await page.says(/1\.000/);
 });

@@ -115,14 +115,26 @@ export class Page {
   failure() {
     // The details are closed until somebody opens them, and say nothing until then.
     return this.run(
-      "const [fatal, detail] = ['fatal', 'fatal-detail'].map((id) => document.getElementById(id));" +
-        "return fatal.hidden ? '' : `${fatal.innerText}\\n${detail.textContent}`.trim()",
+      "const [alert] = [...document.querySelectorAll('body > [role=alert]')].filter((one) => !one.hidden);" +
+        "return alert ? `${alert.innerText}\\n${alert.querySelector('details').textContent}`.trim() : ''",
     );
   }
 
-  /** Presses one of the buttons of the page that says why the program cannot run, and waits for the program. */
+  /** Clicks a button of the page around the program: in an alert, or in a region beside it. */
+  async click(name) {
+    const found = await until(`the button "${name}"`, async () => {
+      const shown = await this.driver.findElements({ css: ':is([role=alert], [role=region]) > button, [role=alert] button' });
+      for (const button of shown) {
+        if ((await button.isDisplayed()) && (await button.getAccessibleName()) === name) return button;
+      }
+      return undefined;
+    });
+    await found.click();
+  }
+
+  /** Clicks one of the buttons of the page that says why the program cannot run, and waits for the program. */
   async startAgain(button) {
-    await this.run('document.getElementById(arguments[0]).click()', button);
+    await this.click(button);
     await until('the program again', async () => (await this.failure()) === '' && (await this.firstFrameMs()) !== null);
   }
 
@@ -134,6 +146,8 @@ export class Page {
 
   /** Where every request went since the last call. */
   async requestedOrigins() {
+    const reason = this.engine.cannot['list every request'];
+    if (reason) this.test.diagnostic(`Only what the page itself notes of its requests is looked at: ${reason}.`);
     const fromPage = await this.run("return performance.getEntriesByType('resource').map((entry) => entry.name)");
     const urls = [...fromPage, ...(await this.engine.requests(this.driver))];
     return [...new Set(urls.filter((url) => !url.startsWith('data:') && !url.startsWith('blob:')).map((url) => new URL(url).origin))];

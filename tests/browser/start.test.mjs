@@ -85,7 +85,7 @@ for (const { title, options, programs, says } of FAILURES) {
     assert.match(text, says);
     assert.match(text, /Reload/);
     assert.match(text, /What you entered is kept in this browser\./);
-    assert.equal(await page.run("return document.getElementById('fatal').getAttribute('role')"), 'alert');
+    assert.equal(await page.run("return document.querySelector('main').inert"), true, 'what cannot be used is out of the way');
   });
 }
 
@@ -94,7 +94,7 @@ it('Reload tries again', async (test) => {
   bench.server.state.programs = 'missing';
   await page.startFailing();
   bench.server.state.programs = 'sent';
-  await page.startAgain('reload');
+  await page.startAgain('Reload');
 });
 
 it('lost graphics are said in words', async (test) => {

@@ -62,7 +62,11 @@ function work(report) {
   const ms = (number) => `${Math.round(number)} ms`;
   const groups = (report.audits['mainthread-work-breakdown']?.details?.items ?? []).slice(0, 4);
   const tasks = (report.audits['long-tasks']?.details?.items ?? []).slice(0, 4);
+  const phases = (report.audits['lcp-breakdown-insight']?.details?.items ?? []).flatMap(({ items }) => items ?? []);
+  const element = report.audits['largest-contentful-paint-element']?.details?.items?.[0]?.items?.[0]?.node?.snippet;
   return [
+    `largest contentful paint: ${element ?? 'of an unknown element'}: ${phases.filter(({ duration }) => duration).map(({ label, duration }) => `${label} ${ms(duration)}`).join(', ')} (on this computer, unthrottled)`,
+    `blocking: ${(report.audits['long-tasks']?.details?.items ?? []).map(({ url, duration }) => `${ms(Math.max(0, duration - 50))} by ${url.split('/').pop() || 'index.html'}`).join(', ')}`,
     `main thread: ${groups.map(({ groupLabel, duration }) => `${groupLabel} ${ms(duration)}`).join(', ')}`,
     `longest tasks: ${tasks.map(({ url, startTime, duration }) => `${ms(duration)} at ${ms(startTime)} (${url.split('/').pop() || 'index.html'})`).join(', ')}`,
   ];

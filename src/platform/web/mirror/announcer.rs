@@ -73,7 +73,12 @@ impl Announcer {
                 .filter(|one| one.urgency == urgency)
                 .map(|one| one.words.as_str())
                 .collect();
-            let words = words.join(". ");
+            let ends = |words: &&str| words.ends_with(['.', '!', '?']);
+            let sentences: Vec<String> = words
+                .iter()
+                .map(|one| if ends(one) { (*one).to_owned() } else { format!("{one}.") })
+                .collect();
+            let words = sentences.join(" ");
             // The same words twice are a change only if something differs.
             let again = !words.is_empty() && region.text_content().as_deref() == Some(words.as_str());
             region.set_text_content(Some(&if again { format!("{words}\u{a0}") } else { words }));

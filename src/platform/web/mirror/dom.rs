@@ -13,12 +13,12 @@ use super::model::{self, InputMode, Nodes, Page, element_id};
 use super::plugin::Options;
 
 /// Under the canvas, which therefore gets the mouse, and without `pointer-events:none`, which to WebDriver means that a
-/// field cannot be cleared. The canvas need not be opaque, so the page is invisible by itself: its paint is clipped away,
-/// its layout is not, which says where on the screen its elements are. `visibility` and `display` would take the page from
-/// the accessibility tree as well, without any opacity it would not count as displayed to WebDriver, and with a little of
-/// it browsers would take its text for the largest thing that they have painted.
+/// field cannot be cleared. The canvas need not be opaque, so the page is invisible by itself. Its opacity is not zero,
+/// because what has none counts as not displayed to WebDriver; a thousandth is less than half a step of an 8-bit colour, so
+/// nothing of it reaches the screen. `visibility` and `display` would take the page from the accessibility tree as well, and
+/// a page clipped to nothing or moved aside would not say where on the screen its elements are.
 const HOST_STYLE: &str = "position:absolute;z-index:-1;margin:0;padding:0;border:0;overflow:clip;contain:strict;\
-    clip-path:inset(50%);font:16px sans-serif;color:#808080;background:none";
+    opacity:0.001;font:16px sans-serif;color:#808080;background:none";
 
 /// Every element lies where it is painted. The size of the text keeps phones from zooming in on a field.
 const ELEMENT_STYLE: &str = "position:absolute;box-sizing:border-box;margin:0;padding:0;border:0;min-width:0;min-height:0;\

@@ -200,8 +200,10 @@ fn typed(event: &Event) {
     };
     let _ = with(|dom| {
         let Some(element) = dom.page().get(id) else { return };
-        // A field says "change" once more when it is left: nothing new.
-        if element.value.as_ref() == Some(&now) && element.kind != Kind::Other {
+        // A field says "change" once more when it is left: nothing new, unless egui has yet to hear of something else that
+        // stood there since.
+        let is_settled = SIGNALS.with(|signals| !signals.touched.borrow().contains(&id));
+        if is_settled && element.value.as_ref() == Some(&now) && element.kind != Kind::Other {
             return;
         }
         SIGNALS.with(|signals| signals.touched.borrow_mut().push(id));

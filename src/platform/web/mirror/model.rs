@@ -361,13 +361,18 @@ impl Writer<'_> {
         });
         let Some(owner) = self.page.elements.get_mut(owner) else { return };
         let is_combo_box = owner.attributes.get("role").is_some_and(|role| role == "combobox");
-        let owner_id = owner.id;
+        let (owner_id, owner_name) = (owner.id, owner.name.clone());
         if let Some((id, role)) = popup {
             owner.attributes.insert("aria-expanded", "true".to_owned());
             owner.attributes.insert("aria-controls", element_id(id));
             owner.attributes.insert("aria-haspopup", role);
             if let Some(popup) = self.page.get_mut(id).filter(|popup| popup.name.is_empty()) {
-                popup.attributes.insert("aria-labelledby", element_id(owner_id));
+                // Not by the owner as a whole where it can be helped: to a browser that would be the value that it shows.
+                if owner_name.is_empty() {
+                    popup.attributes.insert("aria-labelledby", element_id(owner_id));
+                } else {
+                    popup.attributes.insert("aria-label", owner_name);
+                }
             }
         } else if is_combo_box {
             owner.attributes.entry("aria-expanded").or_insert_with(|| "false".to_owned());
