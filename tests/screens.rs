@@ -746,6 +746,10 @@ fn whatever_has_the_keyboard_shows_a_ring() {
             "{name}"
         );
     }
+    program.harness.input_mut().focused = false;
+    program.harness.run();
+    assert_eq!(rings(&program), [], "something else in the window has the keyboard");
+    program.harness.input_mut().focused = true;
     program.harness.key_press(Key::Escape);
     program.harness.run();
     assert_eq!(rings(&program), [], "nothing has the keyboard");

@@ -4,23 +4,23 @@
 const element = (id) => document.getElementById(id);
 const thisBuild = document.querySelector('meta[name="build"]').content;
 
-/** The program ends where the offer begins, so that nothing is covered by it. */
+/** The program ends where the offer begins, so that nothing is covered by it: at a whole pixel. */
 function makeRoom() {
-  const { offsetHeight } = element('update');
-  document.body.style.setProperty('--offer', `${offsetHeight}px`);
+  const { height } = element('update').getBoundingClientRect();
+  document.body.style.setProperty('--offer', `${Math.ceil(height)}px`);
 }
+
+new ResizeObserver(makeRoom).observe(element('update'));
 
 /** Offers to change to the build of `worker`. What somebody is doing is never interrupted. */
 function offer(worker) {
   element('update').hidden = false;
-  makeRoom();
   // After it has appeared, or screen readers do not say it.
   requestAnimationFrame(() => {
     element('update-what').textContent = 'A new version is ready.';
   });
   element('update-later').onclick = () => {
     element('update').hidden = true;
-    makeRoom();
   };
   element('update-now').onclick = () => {
     // Another tab may have changed already.
@@ -51,6 +51,9 @@ async function register() {
     worker?.addEventListener('statechange', () => {
       // The very first one replaces nothing.
       if (worker.state === 'installed' && registration.active) onWaiting(worker);
+      if (worker.state === 'redundant' && !registration.active) {
+        console.info('This page will not open without a network: its files did not arrive as they were built.');
+      }
     });
   };
   if (registration.waiting) onWaiting(registration.waiting);

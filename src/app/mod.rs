@@ -120,7 +120,7 @@ impl App {
             Err(reason) => (
                 Saved::default(),
                 notice(&format!(
-                    "{reason} The program works, but forgets what you enter when it is closed: copy your results, or allow this page to store data and reload it."
+                    "{reason} The program works, but forgets what you enter when it is closed: copy your results to keep them."
                 )),
             ),
         };
@@ -260,7 +260,7 @@ impl App {
         let outcome = self.stored.to_text().and_then(|text| self.platform.save(&text));
         if let Err(reason) = outcome {
             self.say(
-                &format!("{reason} What you enter now may be gone after a restart. Free some space, or copy your results."),
+                &format!("{reason} What you enter now may be gone after a restart: copy your results to keep them."),
                 None,
             );
         }
@@ -280,7 +280,7 @@ impl eframe::App for App {
         }
         match self.platform.copied() {
             Some(Ok(())) => self.say("Results copied to the clipboard.", None),
-            Some(Err(reason)) => self.say(&format!("{reason} The table under the results holds the same numbers."), None),
+            Some(Err(reason)) => self.say(&reason, None),
             None => {}
         }
         let forced = self.platform.forced_colors();
@@ -349,7 +349,7 @@ impl eframe::App for App {
             shortcuts::list(ui, layout, &mut commands);
         }
         focus_ring(ui);
-        // At once: browsers allow it only while they handle the click, in which eframe runs this pass.
+        // At once: some browsers allow it only while they handle the click, and that of a pointer is when eframe runs this pass.
         if commands.iter().any(|command| matches!(command, Command::CopyResults)) {
             commands.retain(|command| !matches!(command, Command::CopyResults));
             self.carry_out(ui.ctx(), Command::CopyResults);
@@ -372,7 +372,9 @@ fn focus_ring(ui: &Ui) {
     if ui.ctx().text_edit_focused() {
         return;
     }
-    let Some(response) = ui.memory(|memory| memory.focused()).and_then(|id| ui.ctx().read_response(id)) else {
+    let focused = ui.memory(|memory| memory.focused()).and_then(|id| ui.ctx().read_response(id));
+    // Not while something else in the window has it, nor around what is scrolled out of sight.
+    let Some(response) = focused.filter(|response| response.has_focus() && response.interact_rect.is_positive()) else {
         return;
     };
     // Only as much as can be seen of it where it is scrolled.

@@ -126,7 +126,7 @@ it('a full storage is said, and the program works', async (test) => {
     try { localStorage.setItem('one more', 'value'); return false; } catch { return true; }`);
   assert.ok(filled, 'the storage is full');
   await page.fill(FX, '700');
-  await page.says(/could not store your inputs: .+\. What you enter now may be gone after a restart\./s);
+  await page.says(/could not store your inputs: .+\. What you enter now may be gone after a restart/s);
   await page.fill(BASELINE, '100');
   await page.fill(DISPARITY, '50');
   await page.says(/1\.400/);

@@ -209,9 +209,6 @@ fn paint_point(ui: &Ui, handle: &Response, frame: Rect, at: egui::Pos2, words: &
     let held = handle.hovered() || handle.dragged() || handle.has_focus();
     let color = if held { palette.text } else { palette.blue };
     ui.painter().circle(at, 7.0, palette.surface, Stroke::new(3.0, color));
-    if handle.has_focus() {
-        ui.painter().circle_stroke(at, 13.0, Stroke::new(2.0, palette.blue));
-    }
     label(ui, frame, at, words);
 }
 

@@ -44,18 +44,20 @@ pub fn show(
             for (section, fields) in SECTIONS {
                 apart(ui, section, |ui| {
                     text::card_heading(ui, section);
-                    ui.add_space(2.0);
+                    let mut space = 2.0;
                     for &field in fields {
                         // Most rigs have no offset, and who has none should not have to wonder what it is.
                         if field == Field::Doffs && !inputs.shows_doffs() {
                             continue;
                         }
+                        ui.add_space(space);
                         apart(ui, field, |ui| {
                             quantity_field::show(ui, inputs, field, around(field), height, commands)
                         });
-                        ui.add_space(2.0 * theme::STEP);
+                        space = 2.0 * theme::STEP;
                     }
                 });
+                ui.add_space(2.0 * theme::STEP);
             }
             apart(ui, "buttons", |ui| {
                 buttons(ui, height, commands);

@@ -149,6 +149,7 @@ fn solved(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
     let size = if unknown.outcome.is_ok() { 26.0 } else { theme::BODY_SIZE };
     let response = ui.label(RichText::new(words).font(theme::strong(size)).color(palette.text));
     text::announce(ui, &response);
+    ui.accesskit_node_builder(response.id, |node| node.set_description(unknown.field.name()));
 }
 
 fn card(ui: &mut Ui, name: &str, add_contents: impl FnOnce(&mut Ui)) {

@@ -6,7 +6,7 @@ use crate::app::widgets::number_field::{self, NumberField};
 use crate::app::widgets::text;
 use crate::core::problem::{Field, Method};
 use crate::core::quantity::LengthUnit;
-use crate::formats::inputs::{Assessment, Inputs, Severity};
+use crate::formats::inputs::{Assessment, Inputs};
 use egui::{ComboBox, Ui};
 
 /// What is offered first.
@@ -64,7 +64,7 @@ pub fn show(ui: &mut Ui, inputs: &mut Inputs, assessment: &Assessment, height: f
         commands.push(Command::Settle);
     }
     if let Some(Err(reason)) = assessment.unknown.as_ref().map(|unknown| &unknown.outcome) {
-        text::note(ui, Severity::Error, reason, None);
+        text::caption(ui, reason);
     }
     ui.add_space(2.0 * theme::STEP);
 }

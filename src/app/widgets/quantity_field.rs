@@ -170,11 +170,11 @@ fn computed(ui: &mut Ui, inputs: &Inputs, unknown: &Unknown, height: f32) {
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     ui.painter().rect_filled(rect, theme::CONTROL_RADIUS, palette.highlight);
     let words = report::unknown(unknown, inputs.unit(unknown.field));
-    let response = ui.put(
+    // Not live: the result card says the same.
+    ui.put(
         rect.shrink2(vec2(10.0, 0.0)),
         egui::Label::new(RichText::new(words).font(theme::strong(theme::BODY_SIZE))),
     );
-    super::text::announce(ui, &response);
     super::text::caption(ui, "Computed from the distance and the other quantities.");
 }
 

@@ -45,9 +45,12 @@ impl Platform for Browser {
 
     fn save(&mut self, text: &str) -> Result<(), String> {
         let outcome = storage().and_then(|storage| {
-            storage
-                .set_item(STORAGE_KEY, text)
-                .map_err(|error| format!("This browser could not store your inputs: {}", sentence(&error)))
+            storage.set_item(STORAGE_KEY, text).map_err(|error| {
+                format!(
+                    "This browser could not store your inputs: {} Its storage for this site may be full: clear what you no longer need.",
+                    sentence(&error)
+                )
+            })
         });
         super::page::note_kept(outcome.is_ok());
         outcome
@@ -120,7 +123,12 @@ fn storage() -> Result<web_sys::Storage, String> {
     web_sys::window()
         .ok_or("There is no browser window.")?
         .local_storage()
-        .map_err(|error| format!("This browser does not let the page store anything: {}", sentence(&error)))?
+        .map_err(|error| {
+            format!(
+                "This browser does not let the page store anything: {} Allow this page to store data and reload it.",
+                sentence(&error)
+            )
+        })?
         .ok_or_else(|| "This browser has no storage for pages.".to_owned())
 }
 

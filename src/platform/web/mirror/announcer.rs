@@ -5,7 +5,8 @@ use std::cell::{Cell, RefCell};
 use wasm_bindgen::{JsCast as _, JsValue, closure::Closure};
 use web_sys::{Document, HtmlElement, Node};
 
-use super::diff::{Announcement, Urgency};
+use super::diff::{self, Announcement, Urgency};
+use super::model::Page;
 use super::plugin::with;
 
 /// Polite words wait until nothing has changed for so long: a result that changes with every key is said once.
@@ -37,7 +38,7 @@ impl Announcer {
             waiting: RefCell::default(),
             timer: Cell::default(),
             on_time: Closure::new(|| {
-                let _ = with(|dom| dom.announcer().on_time());
+                let _ = with(|dom| dom.announcer().on_time(dom.page()));
             }),
         })
     }
@@ -64,9 +65,11 @@ impl Announcer {
         self.timer.set(timer.ok());
     }
 
-    fn on_time(&self) {
+    fn on_time(&self, page: &Page) {
         self.timer.set(None);
-        let waiting = self.waiting.take();
+        let mut waiting = self.waiting.take();
+        // What is no longer so is not said: the error of a number that was only half typed.
+        waiting.retain(|one| page.get(one.id).is_some_and(|element| diff::said(page, element) == one.words));
         for (region, urgency) in [(&self.polite, Urgency::Polite), (&self.assertive, Urgency::Assertive)] {
             let words: Vec<&str> = waiting
                 .iter()

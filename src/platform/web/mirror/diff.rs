@@ -109,6 +109,15 @@ pub(crate) struct Announcement {
     pub(crate) words: String,
 }
 
+/// The words of an element, behind what they are about: its description.
+pub(crate) fn said(page: &Page, element: &Element) -> String {
+    let words = page.words(element.id);
+    match element.attributes.get("aria-description") {
+        Some(about) if !words.is_empty() => format!("{about}: {words}"),
+        _ => words,
+    }
+}
+
 /// What is to be said aloud because it has appeared or changed.
 ///
 /// A live region is announced by the browser when it changes, but not when it comes into the page with its words
@@ -120,22 +129,17 @@ pub(crate) fn announcements(old: &Page, new: &Page) -> Vec<Announcement> {
     if old.elements.is_empty() {
         return Vec::new();
     }
-    let said = |page: &Page, element: &Element| {
-        let words = page.words(element.id);
-        match element.attributes.get("aria-description") {
-            Some(about) if !words.is_empty() => format!("{about}: {words}"),
-            _ => words,
-        }
-    };
     let all = new.elements.iter().filter_map(|element| {
         // egui numbers most widgets by their position, so what has this number now may have been something else.
         let before = old
             .get(element.id)
             .filter(|before| is_same_element(before, element) && before.live == element.live);
-        let urgency = match (element.live, element.attributes.get("role").map(String::as_str)) {
-            (Some(Live::Assertive), _) => Urgency::Assertive,
-            (Some(Live::Polite), _) => Urgency::Polite,
-            (None, Some("status")) if before.is_none() => Urgency::Polite,
+        let urgency = match (element.attributes.get("role").map(String::as_str), element.live) {
+            (_, Some(Live::Off)) => return None,
+            (Some("status"), _) if before.is_none() => Urgency::Polite,
+            (Some("alert" | "alertdialog" | "status" | "log" | "timer" | "marquee"), _) => return None,
+            (_, Some(Live::Assertive)) => Urgency::Assertive,
+            (_, Some(Live::Polite)) => Urgency::Polite,
             _ => return None,
         };
         let words = said(new, element);

@@ -208,19 +208,6 @@ fn typed(event: &Event) {
         }
         SIGNALS.with(|signals| signals.touched.borrow_mut().push(id));
         dom.ctx().request_repaint();
-        if let (Kind::Range, false, true) = (element.kind, element.allowed.set_value, element.allowed.step) {
-            // Phones move a slider by setting its value. Where only steps are taken, that is a step in its direction.
-            let before = element.value.as_deref().and_then(model::number);
-            if let (Some(before), Some(now)) = (before, model::number(&now)) {
-                act(
-                    dom.ctx(),
-                    id,
-                    if now > before { Action::Increment } else { Action::Decrement },
-                    None,
-                );
-            }
-            return;
-        }
         if !element.allowed.set_value {
             return;
         }
@@ -246,9 +233,13 @@ fn key_pressed(event: &Event) {
         return;
     };
     let Some(id) = target(event) else { return };
+    let modifiers = modifiers(event);
+    // On Windows, Alt and the number pad write characters by their code.
+    if modifiers.alt && event.code().starts_with("Numpad") {
+        return;
+    }
     let _ = with(|dom| {
         let Some(element) = dom.page().get(id) else { return };
-        let modifiers = modifiers(event);
         match keys::route(element.kind, &event.key(), modifiers) {
             Route::Browser => (),
             Route::Egui { only } => {

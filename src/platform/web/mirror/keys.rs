@@ -61,7 +61,7 @@ pub(crate) fn route(kind: Kind, key: &str, modifiers: Modifiers) -> Route {
         return match key.to_ascii_lowercase().as_str() {
             "enter" => SHARED,
             // But on a Mac, where another character comes of it, this writes nothing.
-            key if modifiers.alt && !modifiers.ctrl && key.len() == 1 && key.starts_with(|c: char| c.is_ascii_digit()) => EGUI,
+            key if modifiers.alt && !modifiers.ctrl && key.len() == 1 && key.starts_with(|c: char| c.is_ascii_digit()) => SHARED,
             // Copy, paste, undo and moving by words belong to the field.
             _ if kind.is_text() => Route::Browser,
             _ => SHARED,

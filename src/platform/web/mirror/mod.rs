@@ -33,7 +33,8 @@
 //! # What an author can say
 //!
 //! Everything is said in AccessKit, with `Context::accesskit_node_builder`: a role (`Heading` with a level, `Table`, `Status`, …), a
-//! description, `set_live` for what is to be read aloud when it changes, `set_invalid`, `set_described_by`. A text field
+//! description, `set_live` for what is to be read aloud when it appears or changes (behind its description, which says what it
+//! is about), `set_invalid`, `set_described_by`. A text field
 //! with the role `NumberInput` gets the number keyboard of a phone.
 
 pub(crate) mod diff;

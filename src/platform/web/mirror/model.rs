@@ -189,7 +189,7 @@ impl Page {
     }
 }
 
-/// One line per element: depth, element, attributes, text, value and state. The browser's side writes the same.
+/// One line per element: depth, element, attributes, value, state, text and place. The browser's side writes the same.
 impl std::fmt::Display for Page {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         fn write(page: &Page, id: NodeId, depth: usize, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -452,8 +452,9 @@ fn rounded(rect: Rect) -> Rect {
 fn place(rect: Rect, around: Rect) -> Place {
     let rect = rounded(rect);
     Place {
-        left: rect.x0 - around.x0,
-        top: rect.y0 - around.y0,
+        // Not minus zero, which is written in another way.
+        left: rect.x0 - around.x0 + 0.0,
+        top: rect.y0 - around.y0 + 0.0,
         // An element without size is not there for a browser.
         width: rect.width().max(1.0),
         height: rect.height().max(1.0),
@@ -560,6 +561,8 @@ fn states(attributes: &mut Attributes, node: &Node, shape: Shape, within: Within
     attributes.flag("aria-modal", node.is_modal());
     attributes.flag("aria-multiselectable", node.is_multiselectable());
     attributes.flag("aria-atomic", node.is_live_atomic());
+    // What is live otherwise is said by the announcer.
+    attributes.set("aria-live", node.live().filter(|live| *live == Live::Off).map(|_| "off"));
     attributes.set("aria-expanded", node.is_expanded().map(|expanded| expanded.to_string()));
     attributes.set("aria-invalid", node.invalid().map(invalid));
     attributes.set("aria-orientation", node.orientation().map(orientation));
