@@ -264,31 +264,61 @@ async function answers(url) {
   return false;
 }
 
+/** Long for a browser to start or to end. WebKitWebDriver, once in some hundred times, answers neither. */
+const PATIENCE_MS = 40_000;
+const ATTEMPTS = 3;
+
+/** What `work` comes to; undefined if that takes too long. */
+function inTime(work) {
+  return Promise.race([work, sleep(PATIENCE_MS, undefined, { ref: false })]);
+}
+
+/** A driver that listens: where, and how to end it. */
+async function startDriver(engine, environment) {
+  const port = await freePort();
+  const url = `http://127.0.0.1:${port}`;
+  const child = spawn(engine.driver, engine.driverArguments(port), { stdio: 'ignore', env: environment });
+  const failed = once(child, 'error').then(([error]) => {
+    throw new Error(`${engine.driver} could not be started: ${error.message}`);
+  });
+  if (!(await Promise.race([answers(url), failed]))) throw new Error(`${engine.driver} does not answer.`);
+  return { url, close: (signal) => child.kill(signal) };
+}
+
 /** Starts the driver of the chosen engine. `open` starts a fresh browser with an empty profile; `close` ends the driver. */
 export async function startEngine() {
   const name = process.env.ENGINE ?? 'chromium';
   const engine = ENGINES[name];
   if (!engine) throw new Error(`There is no engine "${name}"; there are ${Object.keys(ENGINES).join(', ')}.`);
-  const port = await freePort();
-  const url = `http://127.0.0.1:${port}`;
   const screen = engine.needsScreen ? await startScreen() : { environment: process.env, close() {} };
-  const child = spawn(engine.driver, engine.driverArguments(port), { stdio: 'ignore', env: screen.environment });
-  const failed = once(child, 'error').then(([error]) => {
-    throw new Error(`${engine.driver} could not be started: ${error.message}`);
-  });
-  if (!(await Promise.race([answers(url), failed]))) throw new Error(`${engine.driver} does not answer.`);
+  let running = await startDriver(engine, screen.environment);
+  const renew = async () => {
+    running.close('SIGKILL');
+    running = await startDriver(engine, screen.environment);
+  };
 
   return {
     name,
     engine,
     async open(options) {
-      const builder = new Builder().disableEnvironmentOverrides().usingServer(url);
-      const driver = await builder.withCapabilities(engine.capabilities(options)).build();
-      await engine.prepare(driver, options);
-      return driver;
+      for (let attempt = 1; attempt <= ATTEMPTS; attempt += 1) {
+        const builder = new Builder().disableEnvironmentOverrides().usingServer(running.url);
+        const driver = await inTime(builder.withCapabilities(engine.capabilities(options)).build());
+        if (driver) {
+          await engine.prepare(driver, options);
+          return driver;
+        }
+        await renew();
+      }
+      throw new Error(`${name} does not start.`);
+    },
+    /** Ends a browser that `open` has started. */
+    async end(driver) {
+      const ended = await inTime(driver.quit().then(() => true));
+      if (!ended) await renew();
     },
     close() {
-      child.kill();
+      running.close();
       screen.close();
     },
   };

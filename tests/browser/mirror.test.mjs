@@ -301,8 +301,9 @@ it('only what has changed touches the page, and nothing when nothing has', async
     await page.frames();
     return (await page.run("const { touched } = document.body.dataset; document.body.dataset.touched = ''; return touched")).split(' ').filter((one) => kind.test(one));
   };
-  await page.fill('Focal length (fx)', '710');
-  await page.says(/1\.420/);
+  // In one step: what is half typed may be an error of its own.
+  await page.type(Key.ARROW_UP);
+  await page.says(/1\.402/);
   const changed = await touched(/:mirror-/);
   assert.ok(changed.length > 5, 'the numbers that depend on it');
   assert.deepEqual(changed.filter((one) => one.startsWith('made:')), [], 'what shows another number is the same element');

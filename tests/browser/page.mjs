@@ -39,7 +39,7 @@ export async function startBench() {
       server.state.programs = 'sent';
       server.state.changed.clear();
       const driver = await session.open(options);
-      test.after(() => driver.quit());
+      test.after(() => session.end(driver));
       const page = new Page(session.engine, server, driver, test);
       await page.setScreen({ width: 1280, height: 900 });
       return page;
