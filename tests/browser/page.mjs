@@ -244,8 +244,12 @@ export class Page {
     await this.run("return navigator.clipboard.writeText('')");
   }
 
+  /** What is on the clipboard. Firefox refuses to read one that is just being handed from one owner to the next: then nothing is there yet. */
   clipboard() {
-    return this.run('return navigator.clipboard.readText()');
+    return this.run(`return navigator.clipboard.readText().catch((refusal) => {
+      if (refusal.name !== 'NotAllowedError') throw refusal;
+      return '';
+    })`);
   }
 
   /** A PNG of what the window shows. */
