@@ -471,6 +471,41 @@ fn learn_loads_the_examples() {
 }
 
 #[test]
+fn an_example_of_the_explanations_sets_only_what_it_names_and_can_be_undone() {
+    let mut program = Program::new();
+    program.mug();
+    program.press("Learn");
+    program.press("Load the doorway into the calculator");
+    assert_eq!((program.value(FX), program.value(B)), ("950".to_owned(), "100".to_owned()));
+    assert!(program.says("4.275 m") && program.says("1.900 m"));
+    program.press("Undo");
+    assert_eq!((program.value(FX), program.value(W_IMG)), ("700".to_owned(), String::new()));
+}
+
+#[test]
+fn what_stands_below_is_read_and_reached_after_what_stands_above() {
+    let mut program = Program::on(Machine::default(), PHONE);
+    program.mug();
+    program.press("Reset");
+    let read: Vec<String> = program
+        .harness
+        .root()
+        .children_recursive()
+        .filter_map(|node| node.accesskit_node().label().or_else(|| node.accesskit_node().value()))
+        .collect();
+    let place = |words: &str| read.iter().rposition(|said| said == words).unwrap();
+    assert!(place("Calculate Distance") < place("All fields are cleared."));
+    assert!(place("All fields are cleared.") < place("Undo"));
+    assert!(place("Undo") < place("Close") && place("Close") < read.len() - 1, "{read:?}");
+    // Tab goes the same way.
+    program.harness.get_by_label("Close").focus();
+    program.harness.run();
+    program.harness.key_press_modifiers(egui::Modifiers::SHIFT, egui::Key::Tab);
+    program.harness.run();
+    assert!(program.harness.get_by_label("Undo").is_focused());
+}
+
+#[test]
 fn on_a_phone_the_result_stays_in_sight_and_targets_fit_a_finger() {
     let mut program = Program::on(Machine::default(), PHONE);
     program.mug();

@@ -23,6 +23,8 @@ pub enum Command {
     CopyResults,
     /// Replace what was typed, show the calculator, and say this.
     Open(Box<Inputs>, &'static str),
+    /// Fill in what the part of a link behind `#` names, and nothing else.
+    Follow(String),
     /// Replace what was typed into a field by what a note offered.
     Fix(Field, Entry),
     /// The pointer moved the point on the curve to this disparity, px; all moves until [`Command::Settle`] are one undo step.

@@ -20,7 +20,11 @@ use saved::{Saved, Screen, Settings};
 use sheet::Sheet;
 use theme::Layout;
 pub use theme::SystemColors;
+use widgets::foot::Foot;
 use widgets::{quantity_field, text};
+
+/// The author's id, in the tree for assistive technology, of the button for which there is [`App::copy_results`].
+pub const COPY_RESULTS: &str = "copy results";
 
 /// What the program needs from the machine it runs on.
 pub trait Platform {
@@ -149,6 +153,11 @@ impl App {
         }
     }
 
+    /// Puts the results on the clipboard now, for a platform that allows it only while a click is being handled.
+    pub fn copy_results(&mut self, ctx: &egui::Context) {
+        self.carry_out(ctx, Command::CopyResults);
+    }
+
     fn carry_out(&mut self, ctx: &egui::Context, command: Command) {
         if !matches!(
             command,
@@ -179,6 +188,12 @@ impl App {
                 self.calculator.reveal_results = Layout::of_width(ctx.content_rect().width()) == Layout::Phone;
                 self.calculator.helper = None;
                 self.say(said, replaced.then_some(("Undo", Command::Undo)));
+            }
+            Command::Follow(fragment) => {
+                let mut inputs = self.sheet.inputs.clone();
+                if link::apply(&fragment, &mut inputs) {
+                    self.carry_out(ctx, Command::Open(Box::new(inputs), "The link filled in the fields that it names."));
+                }
             }
             Command::Undo => match self.history.undo() {
                 Some(inputs) => {
@@ -268,12 +283,14 @@ impl App {
 }
 
 impl eframe::App for App {
+    #[cfg(target_arch = "wasm32")]
+    fn as_any_mut(&mut self) -> Option<&mut dyn std::any::Any> {
+        Some(self)
+    }
+
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
         if let Some(fragment) = self.platform.link() {
-            let mut inputs = self.sheet.inputs.clone();
-            if link::apply(&fragment, &mut inputs) {
-                self.carry_out(ctx, Command::Open(Box::new(inputs), "The link filled in the fields that it names."));
-            }
+            self.carry_out(ctx, Command::Follow(fragment));
         }
         for command in std::mem::take(&mut self.pending) {
             self.carry_out(ctx, command);
@@ -314,16 +331,6 @@ impl eframe::App for App {
         Panel::top("navigation").resizable(false).frame(bar(8)).show(ui, |ui| {
             navigation(ui, layout, self.settings.screen, self.settings.theme, &mut commands);
         });
-        if layout == Layout::Phone && self.settings.screen == Screen::Calculator {
-            Panel::bottom("result bar").resizable(false).frame(bar(10)).show(ui, |ui| {
-                calculator::result_bar(ui, self.sheet.assessment(), self.settings.result_unit);
-            });
-        }
-        if let Some(notice) = &self.notice {
-            Panel::bottom("notice").resizable(false).frame(bar(6)).show(ui, |ui| {
-                notice_bar(ui, notice, layout, &mut commands);
-            });
-        }
         let margin = if layout == Layout::Phone { 8 } else { 20 };
         let background = Frame::new().fill(palette.page).inner_margin(Margin {
             left: margin,
@@ -331,8 +338,8 @@ impl eframe::App for App {
             top: 16,
             bottom: 0,
         });
-        // A name of its own: else everything in it would be another thing to egui, and to a screen reader, when a bar comes or goes.
-        ui.scope_builder(UiBuilder::new().scope_id(egui::Id::unique("screen")), |ui| {
+        let foot = Foot::of(ui, "screen");
+        foot.above(ui, |ui| {
             CentralPanel::no_frame().frame(background).show(ui, |ui| {
                 ui.vertical_centered(|ui| {
                     ui.set_max_width(ui.available_width().min(theme::CONTENT_WIDTH));
@@ -345,6 +352,25 @@ impl eframe::App for App {
                 });
             });
         });
+        foot.below(ui, |ui| {
+            let separator = ui.visuals().widgets.noninteractive.bg_stroke;
+            let bar = |ui: &mut Ui, vertical, add_contents: &mut dyn FnMut(&mut Ui)| {
+                let drawn = bar(vertical).show(ui, |ui| {
+                    ui.set_width(ui.available_width());
+                    add_contents(ui);
+                });
+                let rect = drawn.response.rect;
+                ui.painter().hline(rect.x_range(), rect.top(), separator);
+            };
+            if let Some(notice) = &self.notice {
+                bar(ui, 6, &mut |ui| notice_bar(ui, notice, layout, &mut commands));
+            }
+            if layout == Layout::Phone && self.settings.screen == Screen::Calculator {
+                bar(ui, 10, &mut |ui| {
+                    calculator::result_bar(ui, self.sheet.assessment(), self.settings.result_unit);
+                });
+            }
+        });
         if self.lists_keys {
             shortcuts::list(ui, layout, &mut commands);
         }
@@ -352,7 +378,7 @@ impl eframe::App for App {
         // At once: some browsers allow it only while they handle the click, and that of a pointer is when eframe runs this pass.
         if commands.iter().any(|command| matches!(command, Command::CopyResults)) {
             commands.retain(|command| !matches!(command, Command::CopyResults));
-            self.carry_out(ui.ctx(), Command::CopyResults);
+            self.copy_results(ui.ctx());
         }
         if !commands.is_empty() {
             self.pending.append(&mut commands);

@@ -2,9 +2,11 @@
 
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
+import { createServer } from 'node:http';
 import net from 'node:net';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { Builder, Capabilities } from 'selenium-webdriver';
+import LogInspector from 'selenium-webdriver/bidi/logInspector.js';
 import { Command } from 'selenium-webdriver/lib/command.js';
 
 const CHROMIUM_ARGUMENTS = [
@@ -21,22 +23,24 @@ const CHROMIUM_ARGUMENTS = [
   '--disable-sync',
 ];
 
-/** What chromedriver records, one entry per message. */
-async function chromiumLog(driver, name) {
-  return driver.manage().logs().get(name);
-}
-
 const chromium = {
   /** What the engine cannot do under WebDriver, and why: a test that needs it is skipped with these words. */
   cannot: {},
+  /** What `without` it can do without by itself. */
+  switchesOff: ['webgl'],
 
   driver: process.env.CHROMEDRIVER ?? 'chromedriver',
   driverArguments: (port) => [`--port=${port}`],
+  /** What it asks of its maker, whichever page is open. */
+  ownRequests: /^CONNECT (\w+\.google|(content-autofill|optimizationguide-pa|safebrowsing)\.googleapis)\.com:443$/,
 
-  /** `without`: 'webgl' or 'webassembly', for a browser that lacks it; `scale`: device pixels in a CSS pixel. */
-  capabilities({ without, scale = 1 } = {}) {
+  /**
+   * `without`: 'webgl' or 'webassembly', for a browser that lacks it; `scale`: device pixels in a CSS pixel; `proxy`: the port on
+   * this computer that everything goes through which is meant for another.
+   */
+  capabilities({ without, scale = 1, proxy }) {
     // An emulated scale would not reach the ResizeObserver, by which the canvas gets its size.
-    const args = [...CHROMIUM_ARGUMENTS, `--force-device-scale-factor=${scale}`];
+    const args = [...CHROMIUM_ARGUMENTS, `--force-device-scale-factor=${scale}`, `--proxy-server=http://127.0.0.1:${proxy}`];
     if (without === 'webgl') args.push('--disable-3d-apis');
     return new Capabilities({
       browserName: 'chrome',
@@ -44,16 +48,12 @@ const chromium = {
         args,
         ...(process.env.CHROMIUM && { binary: process.env.CHROMIUM }),
       },
-      'goog:loggingPrefs': { browser: 'ALL', performance: 'ALL' },
+      'goog:loggingPrefs': { browser: 'ALL' },
     });
   },
 
   /** What `capabilities` cannot say. */
-  async prepare(driver, { without } = {}) {
-    if (without === 'webassembly') {
-      await driver.sendDevToolsCommand('Page.addScriptToEvaluateOnNewDocument', { source: 'delete globalThis.WebAssembly' });
-    }
-  },
+  async prepare() {},
 
   /** Gives the page a size in CSS pixels and a colour scheme. */
   async setScreen(driver, { width, height, dark = false }) {
@@ -77,11 +77,6 @@ const chromium = {
     await driver.sendDevToolsCommand('Emulation.setScriptExecutionDisabled', { value: !allowed });
   },
 
-  /** Runs a script at the start of every page that is loaded from now on. */
-  async onEveryPage(driver, source) {
-    await driver.sendDevToolsCommand('Page.addScriptToEvaluateOnNewDocument', { source });
-  },
-
   /** What keeps the page from being installed as a program. */
   async installProblems(driver) {
     const { installabilityErrors } = await driver.sendAndGetDevToolsCommand('Page.getInstallabilityErrors', {});
@@ -97,18 +92,8 @@ const chromium = {
 
   /** Errors and warnings on the console since the last call. */
   async consoleProblems(driver) {
-    const entries = await chromiumLog(driver, 'browser');
+    const entries = await driver.manage().logs().get('browser');
     return entries.filter((entry) => entry.level.value >= 900).map((entry) => entry.message);
-  },
-
-  /** The address of every request since the last call, whoever made it. */
-  async requests(driver) {
-    const messages = (await chromiumLog(driver, 'performance')).map((entry) => JSON.parse(entry.message).message);
-    return messages.flatMap(({ method, params }) => {
-      if (method === 'Network.requestWillBeSent') return [params.request.url];
-      if (method === 'Network.webSocketCreated') return [params.url];
-      return [];
-    });
   },
 };
 
@@ -127,25 +112,35 @@ async function setPageSize(driver, { width, height }) {
 const LACKS_A_LOG = 'its driver gives no log';
 const LACKS_A_COMMAND = 'its driver has no such command';
 
+/** Runs a script in Firefox itself, where its settings are, instead of in the page. */
+async function inFirefox(driver, script, ...values) {
+  const useContext = (context) => driver.execute(new Command('setContext').setParameter('context', context));
+  await useContext('chrome');
+  try {
+    return await driver.executeScript(script, ...values);
+  } finally {
+    await useContext('content');
+  }
+}
+
 const firefox = {
   cannot: {
-    'show a page as narrow as a phone': 'its window is at least 450 pixels wide',
-    'read the console': LACKS_A_LOG,
-    'list every request': LACKS_A_LOG,
-    'run a script before the page': 'that needs WebDriver BiDi, which these tests do not speak',
-    'choose the colours': 'it takes them from the desktop',
-    'switch scripts off': LACKS_A_COMMAND,
     'say what keeps a page from being installed': LACKS_A_COMMAND,
   },
+  switchesOff: ['webgl', 'webassembly'],
+  ownRequests: /\.(mozilla|firefox)\.(com|org|net)[:/]/,
   // Without a screen it has no WebGL.
   needsScreen: true,
   driver: process.env.GECKODRIVER ?? 'geckodriver',
-  // The last argument: the colour scheme is a setting of the browser, not of the page.
-  driverArguments: (port) => ['--port', `${port}`, '--allow-system-access'],
+  // The last argument is for `inFirefox`.
+  driverArguments: (port, otherPort) => ['--port', `${port}`, '--websocket-port', `${otherPort}`, '--allow-system-access'],
 
-  capabilities({ without, scale = 1 } = {}) {
+  capabilities({ without, scale = 1, proxy }) {
     return new Capabilities({
       browserName: 'firefox',
+      // For its console.
+      webSocketUrl: true,
+      proxy: { proxyType: 'manual', httpProxy: `127.0.0.1:${proxy}`, sslProxy: `127.0.0.1:${proxy}` },
       'moz:firefoxOptions': {
         ...(process.env.FIREFOX && { binary: process.env.FIREFOX }),
         prefs: {
@@ -170,19 +165,31 @@ const firefox = {
 
   async prepare(driver) {
     driver.getExecutor().defineCommand('setContext', 'POST', '/session/:sessionId/moz/context');
+    driver.problems = [];
+    const inspector = await LogInspector(driver);
+    await inspector.onLog(({ level, text }) => ['warn', 'error'].includes(level) && driver.problems.push(text));
+    await driver.manage().window().setRect({ x: 0, y: 0, width: 1900, height: 1300 });
   },
 
-  async setScreen(driver, screen) {
-    const useContext = (context) => driver.execute(new Command('setContext').setParameter('context', context));
-    await useContext('chrome');
-    await driver.executeScript("Services.prefs.setIntPref('ui.systemUsesDarkTheme', arguments[0])", screen.dark ? 1 : 0);
-    await useContext('content');
-    await setPageSize(driver, screen);
+  async setScreen(driver, { width, height, dark = false }) {
+    // The window has a least width, the page in it has none.
+    const script = `
+      const [width, height, dark] = arguments;
+      Services.prefs.setIntPref('ui.systemUsesDarkTheme', dark ? 1 : 0);
+      gBrowser.selectedBrowser.style.cssText = \`min-width: 0; max-width: \${width}px; max-height: \${height}px\``;
+    await inFirefox(driver, script, width, height, dark);
+  },
+
+  async chooseColours(driver) {
+    await inFirefox(driver, "Services.prefs.setIntPref('browser.display.document_color_use', 2)");
+  },
+
+  async allowScripts(driver, allowed) {
+    await inFirefox(driver, "Services.prefs.setBoolPref('javascript.enabled', arguments[0])", allowed);
   },
 
   async allowClipboard() {},
-  consoleProblems: async () => [],
-  requests: async () => [],
+  consoleProblems: async (driver) => driver.problems.splice(0),
 };
 
 const webkit = {
@@ -192,25 +199,27 @@ const webkit = {
     'leave a page with Tab': 'MiniBrowser goes on with the first element of the page, whichever page it is',
     'choose the colour scheme': 'MiniBrowser takes it from the desktop',
     'choose the colours': 'WebKit has no such mode',
-    'take its clock from a window': 'it keeps window.performance, whatever a page defines',
+    touch: 'its driver makes a mouse of a finger',
     'make its window lower': 'WebKitWebDriver calls the height of 420 pixels invalid',
-    'go without WebGL or WebAssembly': 'MiniBrowser cannot switch them off',
     'read the console': LACKS_A_LOG,
-    'list every request': LACKS_A_LOG,
-    'run a script before the page': LACKS_A_COMMAND,
     'switch scripts off': LACKS_A_COMMAND,
     'say what keeps a page from being installed': LACKS_A_COMMAND,
   },
+  switchesOff: [],
   // MiniBrowser has no mode without a window.
   needsScreen: true,
   driver: process.env.WEBKITDRIVER ?? 'WebKitWebDriver',
   driverArguments: (port) => [`--port=${port}`],
 
-  capabilities() {
+  capabilities({ proxy }) {
     const binary = process.env.MINIBROWSER;
     return new Capabilities({
       browserName: 'MiniBrowser',
-      'webkitgtk:browserOptions': { args: ['--automation'], ...(binary && { binary }) },
+      // With a proxy of WebDriver's, one start in five hangs.
+      'webkitgtk:browserOptions': {
+        args: ['--automation', `--proxy=http://127.0.0.1:${proxy}`, '--ignore-host=127.0.0.1'],
+        ...(binary && { binary }),
+      },
     });
   },
 
@@ -218,7 +227,6 @@ const webkit = {
   setScreen: setPageSize,
   async allowClipboard() {},
   consoleProblems: async () => [],
-  requests: async () => [],
 };
 
 /** By name. The environment variable ENGINE chooses. What an engine `cannot` do, it has no function for, or one without effect. */
@@ -226,7 +234,7 @@ const ENGINES = { chromium, firefox, webkit };
 
 /** An X server without a screen, if there is none: its environment, and how to end it. */
 async function startScreen() {
-  if (process.platform !== 'linux' || process.env.DISPLAY) return { environment: process.env, close() {} };
+  if (process.platform !== 'linux' || process.env.DISPLAY) return { environment: { ...process.env }, close() {} };
   const child = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '2000x1400x24', '-nolisten', 'tcp'], {
     stdio: ['ignore', 'ignore', 'ignore', 'pipe'],
   });
@@ -240,6 +248,26 @@ async function startScreen() {
   ended.catch(() => {});
   const [display] = await Promise.race([once(child.stdio[3], 'data'), failed, ended]);
   return { environment: { ...process.env, DISPLAY: `:${display.toString().trim()}` }, close: () => child.kill() };
+}
+
+/** A proxy that passes nothing on, and keeps what it was asked for in `asked`, except what is `expected`. */
+async function startProxy(expected = /^$/) {
+  const asked = [];
+  const refuse = (request, answer) => {
+    const asks = `${request.method} ${request.url}`;
+    if (!expected.test(asks)) asked.push(asks);
+    answer();
+  };
+  const server = createServer((request, response) => refuse(request, () => response.writeHead(502).end()));
+  // https, and sockets.
+  server.on('connect', (request, socket) => refuse(request, () => socket.end('HTTP/1.1 502 Bad Gateway\r\n\r\n')));
+  server.listen(0, '127.0.0.1');
+  await once(server, 'listening');
+  const close = () => {
+    server.closeAllConnections();
+    server.close();
+  };
+  return { asked, port: server.address().port, close };
 }
 
 async function freePort() {
@@ -275,9 +303,9 @@ function inTime(work) {
 
 /** A driver that listens: where, and how to end it. */
 async function startDriver(engine, environment) {
-  const port = await freePort();
+  const [port, otherPort] = [await freePort(), await freePort()];
   const url = `http://127.0.0.1:${port}`;
-  const child = spawn(engine.driver, engine.driverArguments(port), { stdio: 'ignore', env: environment });
+  const child = spawn(engine.driver, engine.driverArguments(port, otherPort), { stdio: 'ignore', env: environment });
   const failed = once(child, 'error').then(([error]) => {
     throw new Error(`${engine.driver} could not be started: ${error.message}`);
   });
@@ -290,7 +318,10 @@ export async function startEngine() {
   const name = process.env.ENGINE ?? 'chromium';
   const engine = ENGINES[name];
   if (!engine) throw new Error(`There is no engine "${name}"; there are ${Object.keys(ENGINES).join(', ')}.`);
-  const screen = engine.needsScreen ? await startScreen() : { environment: process.env, close() {} };
+  const screen = engine.needsScreen ? await startScreen() : { environment: { ...process.env }, close() {} };
+  // The services of a desktop, of which none may be there, are not waited for.
+  Object.assign(screen.environment, { DBUS_SESSION_BUS_ADDRESS: 'disabled:', NO_AT_BRIDGE: '1' });
+  const proxy = await startProxy(engine.ownRequests);
   let running = await startDriver(engine, screen.environment);
   const renew = async () => {
     running.close('SIGKILL');
@@ -300,13 +331,15 @@ export async function startEngine() {
   return {
     name,
     engine,
+    /** `elsewhere`, on the driver, lists what has been asked of other computers since. */
     async open(options) {
       for (let attempt = 1; attempt <= ATTEMPTS; attempt += 1) {
         const builder = new Builder().disableEnvironmentOverrides().usingServer(running.url);
-        const driver = await inTime(builder.withCapabilities(engine.capabilities(options)).build());
+        const driver = await inTime(builder.withCapabilities(engine.capabilities({ ...options, proxy: proxy.port })).build());
         if (driver) {
-          await engine.prepare(driver, options);
-          return driver;
+          await engine.prepare(driver);
+          proxy.asked.length = 0;
+          return Object.assign(driver, { elsewhere: proxy.asked });
         }
         await renew();
       }
@@ -319,6 +352,7 @@ export async function startEngine() {
     },
     close() {
       running.close();
+      proxy.close();
       screen.close();
     },
   };

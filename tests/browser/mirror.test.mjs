@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test as it } from 'node:test';
+import { Pointer } from 'selenium-webdriver/lib/input.js';
 import { Key, startBench, until } from './page.mjs';
 
 const MIRROR = '#accessible-mirror';
@@ -327,6 +328,100 @@ it('a number keyboard is asked for, and the question mark lists the keys whereve
   await page.run('arguments[0].focus()', await page.field('Disparity (d)'));
   await page.driver.actions().keyDown(Key.ALT).sendKeys('2').keyUp(Key.ALT).perform();
   await page.says(/What this computes/);
+});
+
+/** The names of elements that are not what is found at their middle, as the browser finds it for whoever explores by touch. */
+const HIDDEN_FROM_A_FINGER = `
+  const host = document.querySelector('${MIRROR}');
+  const { bottom } = host.getBoundingClientRect();
+  const shown = [...host.querySelectorAll(':is(button, input, a, h1, h2, h3, td, th, [role=tab], [role=img], span)[id]')].map((one) => [one, one.getBoundingClientRect()]);
+  return shown
+    .filter(([one, box]) => box.width > 4 && box.height > 4 && box.bottom < bottom && !one.querySelector('[id]'))
+    .map(([one, box]) => [one, document.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2)])
+    .filter(([one, found]) => !one.contains(found))
+    .map(([one, found]) => one.outerHTML.replace(/ style="[^"]*"/, '') + ' is behind ' + (found?.outerHTML.replace(/ style="[^"]*"/, '').slice(0, 80)));`;
+/** As when the mouse leaves the page. */
+const LEAVE = "document.body.dispatchEvent(new PointerEvent('pointerout', { pointerType: 'mouse', bubbles: true }));";
+/** Is the canvas what a pointer meets at the middle of this element? */
+const REACHES_THE_CANVAS = `
+  const { x, y, width, height } = arguments[0].getBoundingClientRect();
+  return document.elementFromPoint(x + width / 2, y + height / 2).localName === 'canvas';`;
+
+it('a finger that explores finds what is painted there, and a pointer that comes is for the canvas', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.press('Coffee mug (stereo)');
+  await page.says(/1\.400/);
+  await page.frames();
+  // Where there is a screen, a mouse lies on it, of which the browser may tell the page at any time.
+  const leave = () => page.run(LEAVE);
+  assert.deepEqual(await page.run(LEAVE + HIDDEN_FROM_A_FINGER), []);
+
+  // The first that is heard of the mouse: what it presses is pressed once, and then the canvas has it.
+  const SIGMA = 'Uncertainty of Disparity (d)';
+  const hasSigma = () => page.run(`return [...document.querySelectorAll('${MIRROR} input')].some((one) => one.getAttribute('aria-label') === '${SIGMA}')`);
+  const button = await page.element('Add uncertainty', 'button');
+  assert.equal(await page.run(LEAVE + REACHES_THE_CANVAS, button), false);
+  await page.point('Add uncertainty');
+  await page.field(SIGMA);
+  const other = await page.element('Reset', 'button');
+  assert.equal(await page.run(REACHES_THE_CANVAS, other), true);
+
+  // It leaves the window, comes back to where it was without moving, and presses.
+  const again = await page.element('Hide uncertainty', 'button');
+  await page.moveTo(again);
+  assert.equal(await page.run(LEAVE + REACHES_THE_CANVAS, other), false);
+  await page.driver.actions().press().release().perform();
+  await until('the uncertainty gone', async () => !(await hasSigma()));
+  await page.frames();
+  assert.equal(await hasSigma(), false);
+
+  // Assistive technology presses as Chromium makes it up: a whole press of a mouse that is nowhere. It is one click, and the keyboard
+  // stays where it is, whether or not a mouse lies on the page besides.
+  const PRESS = `
+    const one = arguments[0];
+    one.focus();
+    const { x, y, width, height } = one.getBoundingClientRect();
+    const place = { bubbles: true, cancelable: true, clientX: x + width / 2, clientY: y + height / 2, pointerId: 1, pointerType: 'mouse', isPrimary: true };
+    for (const name of ['pointerdown', 'mousedown', 'pointerup', 'mouseup', 'click']) {
+      const Kind = name.startsWith('mouse') ? MouseEvent : PointerEvent;
+      one.dispatchEvent(new Kind(name, { ...place, detail: name === 'click' ? 1 : 0, buttons: name.endsWith('down') ? 1 : 0 }));
+    }
+    return document.activeElement === one || document.activeElement.outerHTML.slice(0, 200);`;
+  for (const [mouse, name, shown] of [['away', 'Add uncertainty', true], ['there', 'Hide uncertainty', false]]) {
+    await leave();
+    // A mouse comes over the mirror first, and goes on over the canvas.
+    if (mouse === 'there') for (const stop of ['Copy Results', 'Reset']) await page.moveTo(await page.element(stop, 'button'));
+    assert.equal(await page.run(PRESS, await page.element(name, 'button')), true, `the keyboard stays, with a mouse ${mouse}`);
+    await until(`the uncertainty, with a mouse ${mouse}`, async () => (await hasSigma()) === shown);
+    await page.frames();
+    assert.equal(await hasSigma(), shown, `one press, with a mouse ${mouse}`);
+  }
+
+  // And into a field, where the keyboard goes as on the canvas.
+  await page.moveTo(await page.field('Disparity (d)'));
+  await leave();
+  await page.driver.actions().press().release().perform();
+  await page.frames();
+  await page.type('7');
+  await until('the key in the field', async () => (await page.value('Disparity (d)')).includes('7'));
+  assert.notEqual(await page.run('return document.activeElement.localName'), 'body');
+
+  const reason = bench.unless('touch');
+  if (reason) return test.diagnostic(`Without a finger: ${reason}`);
+  await leave();
+  const tap = async (element) => {
+    const finger = new Pointer('finger', Pointer.Type.TOUCH);
+    const place = await page.middle(element);
+    await page.driver.actions().insert(finger, finger.move(place), finger.press(), finger.release()).perform();
+  };
+  await tap(await page.element('Add uncertainty', 'button'));
+  await page.field(SIGMA);
+  // Soon after, the next one goes straight to the canvas, and some time later the mirror can be explored again.
+  assert.equal(await page.run(REACHES_THE_CANVAS, other), true);
+  await tap(await page.element('Hide uncertainty', 'button'));
+  await until('the uncertainty gone', async () => !(await hasSigma()));
+  if (!page.engine.needsScreen) await until('the mirror above', async () => !(await page.run(REACHES_THE_CANVAS, other)));
 });
 
 it('a slider can be set, as phones do it', async (test) => {

@@ -21,6 +21,11 @@ const CANDIDATES = `
   return [...document.querySelectorAll(css)].filter((one) =>
     [one.getAttribute('aria-label'), labels(one).join(' '), one.textContent].some((words) => words?.trim() === name));`;
 const PATIENCE_MS = 30_000;
+/** How a page can be without what its engine cannot switch off. */
+const WITHOUT = {
+  webgl: 'HTMLCanvasElement.prototype.getContext = () => null',
+  webassembly: 'delete globalThis.WebAssembly',
+};
 
 /** A server and a browser driver for one file of tests. */
 export async function startBench() {
@@ -38,10 +43,13 @@ export async function startBench() {
     async page(test, options = {}) {
       server.state.programs = 'sent';
       server.state.changed.clear();
+      server.state.added.clear();
       const driver = await session.open(options);
       test.after(() => session.end(driver));
       const page = new Page(session.engine, server, driver, test);
       await page.setScreen({ width: 1280, height: 900 });
+      const { without } = options;
+      if (without && !session.engine.switchesOff.includes(without)) await page.runBefore(WITHOUT[without]);
       return page;
     },
     close() {
@@ -85,6 +93,12 @@ export class Page {
 
   run(script, ...values) {
     return this.driver.executeScript(script, ...values);
+  }
+
+  /** Has a script run at the start of the page, before its own. */
+  async runBefore(script) {
+    this.server.state.added.set('before.js', script);
+    await this.server.changePage((html) => html.replace('<head>', '<head><script src="before.js"></script>'));
   }
 
   /** Loads the page and waits until the program has drawn its first frame. */
@@ -144,13 +158,15 @@ export class Page {
     return until('a message', () => this.failure());
   }
 
-  /** Where every request went since the last call. */
-  async requestedOrigins() {
-    const reason = this.engine.cannot['list every request'];
-    if (reason) this.test.diagnostic(`Only what the page itself notes of its requests is looked at: ${reason}.`);
-    const fromPage = await this.run("return performance.getEntriesByType('resource').map((entry) => entry.name)");
-    const urls = [...fromPage, ...(await this.engine.requests(this.driver))];
-    return [...new Set(urls.filter((url) => !url.startsWith('data:') && !url.startsWith('blob:')).map((url) => new URL(url).origin))];
+  /** Every request to another computer since the browser was started, whoever made it: the page, its worker, the browser. */
+  elsewhere() {
+    return this.driver.elsewhere;
+  }
+
+  /** The origins that the page says it has asked since it was loaded. */
+  async askedOrigins() {
+    const urls = await this.run("return performance.getEntriesByType('resource').map((entry) => entry.name)");
+    return [...new Set(urls.filter((url) => !/^(data|blob):/.test(url)).map((url) => new URL(url).origin))];
   }
 
   consoleProblems() {
@@ -205,6 +221,22 @@ export class Page {
   /** Presses the button, link, tab or choice in a menu with this name, as assistive technology does. */
   async press(name) {
     await this.run('arguments[0].click()', await this.element(name, 'button', 'link', 'tab', 'choice'));
+  }
+
+  /** The middle of an element, in whole pixels of the window. */
+  middle(element) {
+    return this.run('const { x, y, width, height } = arguments[0].getBoundingClientRect(); return { x: Math.round(x + width / 2), y: Math.round(y + height / 2) }', element);
+  }
+
+  /** Moves the mouse to where the program has painted an element of the mirror. */
+  async moveTo(element) {
+    await this.driver.actions().move(await this.middle(element)).perform();
+  }
+
+  /** Clicks with the mouse where the program has painted what has this name. */
+  async point(name) {
+    await this.moveTo(await this.element(name, 'button', 'link', 'tab', 'choice'));
+    await this.driver.actions().press().release().perform();
   }
 
   /** Presses Tab until the element with this name has the keyboard. */

@@ -1,5 +1,6 @@
 // Serves the built page as a static host does, from a folder below the root, and can fail on purpose.
 
+import { createHash } from 'node:crypto';
 import { createServer } from 'node:http';
 import { once } from 'node:events';
 import { readFile } from 'node:fs/promises';
@@ -24,10 +25,11 @@ const TYPES = {
 /**
  * `programs` says what happens to the WebAssembly file: 'sent', 'missing' (404), 'cut' (the connection
  * ends in the middle), 'held' (in twentieths, as many as `pieces` says so far), 'broken' (not a program) or 'old type' (sent with a wrong type).
- * `changed` holds, by a file's name, what to make of its text before it is sent, perhaps later.
+ * `changed` holds, by a file's name, what to make of its text before it is sent, perhaps later; `added` the texts of scripts that
+ * are not in the folder.
  */
 export async function startServer() {
-  const state = { programs: 'sent', pieces: 0, changed: new Map() };
+  const state = { programs: 'sent', pieces: 0, changed: new Map(), added: new Map() };
 
   async function sendProgram(response, content) {
     switch (state.programs) {
@@ -65,7 +67,7 @@ export async function startServer() {
       const name = pathname.startsWith(BASE) ? pathname.slice(BASE.length) || 'index.html' : undefined;
       const file = name && path.join(DIST, name);
       if (!file?.startsWith(DIST + path.sep)) throw new Error('outside');
-      const content = await readFile(file);
+      const content = state.added.get(name) ?? (await readFile(file));
       response.setHeader('content-type', TYPES[path.extname(file)] ?? 'application/octet-stream');
       response.setHeader('cache-control', 'no-store');
       if (file.endsWith('.wasm')) await sendProgram(response, content);
@@ -82,6 +84,12 @@ export async function startServer() {
     origin,
     url: origin + BASE,
     state,
+    /** From now on the page is what `change` makes of it, and the worker, which `changeWorker` may change, expects that one. */
+    async changePage(change, changeWorker = (text) => text) {
+      const digest = (text) => `sha256-${createHash('sha256').update(text).digest('base64')}`;
+      const html = await readFile(path.join(DIST, 'index.html'), 'utf8');
+      state.changed.set('index.html', change).set('sw.js', (text) => changeWorker(text).replace(digest(html), digest(change(html))));
+    },
     close() {
       server.closeAllConnections();
       server.close();

@@ -1,7 +1,6 @@
 // The site around the program: the Learn page, use without a network, new versions, and what the page may not do.
 
 import assert from 'node:assert/strict';
-import { createHash } from 'node:crypto';
 import { after, before, test as it } from 'node:test';
 import { setTimeout as sleep } from 'node:timers/promises';
 import { startBench, until } from './page.mjs';
@@ -27,18 +26,15 @@ function offered(page) {
   return page.run("const bar = document.querySelector('[role=region][aria-label=\"New version\"]'); return bar.hidden ? '' : bar.innerText");
 }
 
-/** From now on the server has another build of the page: its name, and the digest of the page that says so. */
-async function publishAnother(before, state) {
+/** From now on the server has another build of the page: another name. */
+async function publishAnother(before) {
   const rename = (text) => text.replace(before, ANOTHER);
-  const digest = (text) => `sha256-${createHash('sha256').update(text).digest('base64')}`;
-  const html = await (await fetch(bench.server.url)).text();
-  state.changed.set('index.html', rename).set('sw.js', (text) => rename(text).replace(digest(html), digest(rename(html))));
+  await bench.server.changePage(rename, rename);
 }
 
 /** Notes in the page itself which scripts, styles and requests its policy refuses. */
 async function watchPolicy(page) {
-  await page.engine.onEveryPage(
-    page.driver,
+  await page.runBefore(
     "globalThis.refused = []; addEventListener('securitypolicyviolation', ({ violatedDirective, blockedURI }) => refused.push(`${violatedDirective} ${blockedURI}`))",
   );
 }
@@ -76,7 +72,6 @@ it('the Learn page fits a phone', async (test) => {
 });
 
 it('the policy refuses nothing that the program needs, and does refuse what it should', async (test) => {
-  if (bench.unless('run a script before the page')) return test.skip(bench.unless('run a script before the page'));
   const page = await bench.page(test);
   await watchPolicy(page);
   await page.start();
@@ -85,7 +80,8 @@ it('the policy refuses nothing that the program needs, and does refuse what it s
   await kept(page);
   assert.deepEqual(await page.run('return refused'), []);
   assert.deepEqual(await page.consoleProblems(), []);
-  assert.deepEqual(await page.requestedOrigins(), [bench.server.origin]);
+  assert.deepEqual(await page.askedOrigins(), [bench.server.origin]);
+  assert.deepEqual(page.elsewhere(), []);
 
   await page.run("const script = document.createElement('script'); script.textContent = 'globalThis.injected = true'; document.body.append(script)");
   assert.equal(await page.run('return globalThis.injected ?? false'), false);
@@ -186,7 +182,7 @@ it('a new version is offered, and comes when it is asked for', async (test) => {
   const before = await page.run("return document.querySelector('meta[name=build]').content");
   assert.match(before, /^[0-9a-f]{16}$/);
 
-  await publishAnother(before, bench.server.state);
+  await publishAnother(before);
   // As the page itself does when somebody comes back to it.
   await page.run("document.body.dataset.same = 'document'; document.dispatchEvent(new Event('visibilitychange'))");
   assert.match(await until('the offer', () => offered(page)), /Reload/);
@@ -216,7 +212,7 @@ it('whoever opens the page anew has the new version at once, without being asked
   await page.start();
   await kept(page);
   const before = await page.run("return document.querySelector('meta[name=build]').content");
-  await publishAnother(before, bench.server.state);
+  await publishAnother(before);
 
   await openAnew(page);
   assert.equal(await page.run("return document.querySelector('meta[name=build]').content"), 'another-build');

@@ -28,7 +28,11 @@ it('the program starts, without a complaint and without asking anybody else', as
   assert.equal(await page.failure(), '');
   assert.equal(await page.run("return document.getElementById('loading').hidden"), true);
   assert.deepEqual(await page.consoleProblems(), []);
-  assert.deepEqual(await page.requestedOrigins(), [bench.server.origin]);
+  assert.deepEqual(await page.askedOrigins(), [bench.server.origin]);
+  assert.deepEqual(page.elsewhere(), []);
+  // Had anybody been asked, it would have been noticed.
+  await page.driver.get('http://elsewhere.example/').catch(() => {});
+  assert.match(page.elsewhere().join(), /elsewhere\.example/);
 });
 
 it('every file that the page names is there', async () => {
@@ -77,8 +81,6 @@ const FAILURES = [
 
 for (const { title, options, programs, says } of FAILURES) {
   it(`${title} is said in words, with a way on`, async (test) => {
-    const reason = options && bench.unless('go without WebGL or WebAssembly');
-    if (reason) return test.skip(reason);
     const page = await bench.page(test, options);
     bench.server.state.programs = programs ?? 'sent';
     const text = await page.startFailing();

@@ -93,7 +93,11 @@ fn buttons(ui: &mut Ui, height: f32, commands: &mut Vec<Command>) {
         ui.spacing_mut().item_spacing.x = 2.0 * theme::STEP;
         let width = (ui.available_width() - 2.0 * theme::STEP) / 2.0;
         for (name, wanted) in [("Reset", Command::Reset), ("Copy Results", Command::CopyResults)] {
-            if ui.add_sized(vec2(width, height), Button::new(name)).clicked() {
+            let button = ui.add_sized(vec2(width, height), Button::new(name));
+            if wanted == Command::CopyResults {
+                ui.accesskit_node_builder(button.id, |node| node.set_author_id(crate::app::COPY_RESULTS));
+            }
+            if button.clicked() {
                 commands.push(wanted);
             }
         }

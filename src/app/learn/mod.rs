@@ -5,12 +5,10 @@ mod document;
 use super::command::Command;
 use super::theme::{self, Layout};
 use super::widgets::scroll;
-use crate::formats::inputs::Inputs;
-use crate::formats::link;
 use document::DOCUMENT;
 use egui::Ui;
 
-/// Draws the screen. A link to an example adds the command that opens it.
+/// Draws the screen. A link to an example adds the command to follow it.
 pub fn show(ui: &mut Ui, layout: Layout, commands: &mut Vec<Command>) {
     let mut followed = None;
     scroll::column(ui, "learn", |ui| {
@@ -25,12 +23,7 @@ pub fn show(ui: &mut Ui, layout: Layout, commands: &mut Vec<Command>) {
             });
         });
     });
-    if let Some(target) = followed {
-        let mut inputs = Inputs::default();
-        if link::apply(target, &mut inputs) {
-            commands.push(Command::Open(Box::new(inputs), "The example is filled in."));
-        }
-    }
+    commands.extend(followed.map(|target| Command::Follow(target.to_owned())));
 }
 
 #[cfg(test)]
@@ -38,6 +31,8 @@ pub fn show(ui: &mut Ui, layout: Layout, commands: &mut Vec<Command>) {
 mod tests {
     use super::document::{Block, Span};
     use super::*;
+    use crate::formats::inputs::Inputs;
+    use crate::formats::link;
 
     const TEXT: &str = include_str!("../../../assets/learn.md");
 

@@ -1,6 +1,7 @@
 //! Pieces that two screens share.
 
 pub mod cards;
+pub mod foot;
 pub mod number_field;
 pub mod picture;
 pub mod quantity_field;

@@ -6,10 +6,12 @@ mod browser;
 pub mod mirror;
 mod page;
 
+use std::rc::Rc;
+
 use wasm_bindgen::JsCast as _;
 use wasm_bindgen::closure::Closure;
 
-use crate::app::App;
+use crate::app::{App, COPY_RESULTS};
 use browser::Browser;
 
 /// Starts the program on `<canvas id="app">` and returns at once; the browser calls it from then on.
@@ -43,14 +45,19 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
         .ok_or("The page has no element with the id \"app\".")?
         .dyn_into::<web_sys::HtmlCanvasElement>()
         .map_err(|_element| "The element with the id \"app\" is not a canvas.")?;
-    let mirrored = canvas.clone();
+    let (mirrored, running) = (canvas.clone(), runner.clone());
     runner
         .start(
             canvas,
             options(),
             Box::new(move |creation| {
                 creation.egui_ctx.add_plugin(FirstFrame::default());
-                if let Err(error) = mirror::Mirror::install(&creation.egui_ctx, &mirrored) {
+                let ctx = creation.egui_ctx.clone();
+                let options = mirror::Options {
+                    clicked: Rc::new(move |node| node.author_id() == Some(COPY_RESULTS) && copy_results(&running, &ctx)),
+                    ..mirror::Options::default()
+                };
+                if let Err(error) = mirror::Mirror::install_with(&creation.egui_ctx, &mirrored, options) {
                     log::error!("The page works, but not with a screen reader: {}", browser::sentence(&error));
                 }
                 expose_mirror();
@@ -60,6 +67,12 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
         )
         .await
         .map_err(|error| browser::sentence(&error))
+}
+
+/// Copies while the browser still handles the click. Returns whether the program was free to do it.
+fn copy_results(runner: &eframe::WebRunner, ctx: &egui::Context) -> bool {
+    let app = runner.app_mut::<App>();
+    app.map(|mut app| app.copy_results(ctx)).is_some()
 }
 
 /// Lets a test read what egui says (`accessibleMirror.tree()`), what page that makes (`description()`) and what the page

@@ -29,11 +29,10 @@ pub(super) fn show_failure(what: &str, todo: &str, detail: &str) {
             .into_iter()
             .collect::<js_sys::Array>(),
     );
-    if let (Some(window), Ok(event)) = (
-        web_sys::window(),
-        web_sys::CustomEvent::new_with_event_init_dict("program-failed", &event),
-    ) {
-        window.dispatch_event(&event).ok();
+    // Not by way of anything that may be why the program has failed.
+    let page: web_sys::EventTarget = js_sys::global().unchecked_into();
+    if let Ok(event) = web_sys::CustomEvent::new_with_event_init_dict("program-failed", &event) {
+        page.dispatch_event(&event).ok();
     }
 }
 

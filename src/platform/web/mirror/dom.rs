@@ -1,6 +1,7 @@
 //! The page in the browser.
 
 use std::collections::HashMap;
+use std::rc::Rc;
 
 use egui::accesskit::{self, Action, ActionData, NodeId, TextSelection, Toggled, TreeUpdate};
 use wasm_bindgen::{JsCast as _, JsValue};
@@ -11,13 +12,14 @@ use super::diff::{self, Edit};
 use super::events::{SIGNALS, act};
 use super::model::{self, InputMode, Nodes, Page, element_id};
 use super::plugin::Options;
+use super::pointer::Gate;
 
-/// Under the canvas, which therefore gets the mouse, and without `pointer-events:none`, which to WebDriver means that a
-/// field cannot be cleared. The canvas need not be opaque, so the page is invisible by itself. Its opacity is not zero,
-/// because what has none counts as not displayed to WebDriver; a thousandth is less than half a step of an 8-bit colour, so
-/// nothing of it reaches the screen. `visibility` and `display` would take the page from the accessibility tree as well, and
-/// a page clipped to nothing or moved aside would not say where on the screen its elements are.
-const HOST_STYLE: &str = "position:absolute;z-index:-1;margin:0;padding:0;border:0;overflow:clip;contain:strict;\
+/// Over the canvas, where assistive technology looks for what is under a finger; `pointer` says who gets the pointer all the
+/// same, and what touches mean is for the canvas to say as well. The opacity is not zero, because what has none counts as not
+/// displayed to WebDriver; a thousandth is less than half a step of an 8-bit colour, so nothing of it reaches the screen.
+/// `visibility` and `display` would take the page from the accessibility tree as well, and a page clipped to nothing or moved
+/// aside would not say where on the screen its elements are.
+const HOST_STYLE: &str = "position:absolute;margin:0;padding:0;border:0;overflow:clip;contain:strict;touch-action:none;\
     opacity:0.001;font:16px sans-serif;color:#808080;background:none";
 
 /// Every element lies where it is painted. The size of the text keeps phones from zooming in on a field.
@@ -35,8 +37,10 @@ pub(crate) struct Dom {
     /// Empty places before and after the content: Tab goes on from there.
     edges: [HtmlElement; 2],
     announcer: Announcer,
+    gate: Gate,
     document: Document,
     input_mode: InputMode,
+    clicked: Rc<dyn Fn(&accesskit::Node) -> bool>,
     elements: HashMap<NodeId, HtmlElement>,
     nodes: Nodes,
     root: NodeId,
@@ -77,6 +81,7 @@ impl Dom {
             host.append_child(part)?;
         }
         let announcer = Announcer::new(&document, &host)?;
+        let gate = Gate::new(&host);
 
         // The elements of the mirror are what Tab stops at, not the canvas as a whole.
         canvas.set_tab_index(-1);
@@ -97,8 +102,10 @@ impl Dom {
             content,
             edges,
             announcer,
+            gate,
             document,
             input_mode: options.input_mode,
+            clicked: options.clicked,
             elements: HashMap::new(),
             nodes: Nodes::new(),
             root: NodeId(0),
@@ -119,12 +126,25 @@ impl Dom {
         &self.page
     }
 
+    pub(crate) fn canvas(&self) -> &HtmlCanvasElement {
+        &self.canvas
+    }
+
+    pub(crate) fn gate(&self) -> &Gate {
+        &self.gate
+    }
+
     pub(crate) fn host(&self) -> &HtmlElement {
         &self.host
     }
 
     pub(crate) fn document(&self) -> &Document {
         &self.document
+    }
+
+    /// Does what the application does with a click by itself. Returns whether it did.
+    pub(crate) fn is_done_at_once(&self, id: NodeId) -> bool {
+        self.nodes.get(&id).is_some_and(|node| (self.clicked)(node))
     }
 
     pub(crate) fn announcer(&self) -> &Announcer {

@@ -10,6 +10,7 @@ use super::dom::Dom;
 use super::keys::{self, Direction, Route};
 use super::model::{self, node_id};
 use super::plugin::with;
+use super::pointer;
 use super::roles::Kind;
 
 thread_local! {
@@ -66,6 +67,8 @@ impl Listener {
         let closure = Closure::new(move |event: Event| heard(&event));
         let options = AddEventListenerOptions::new();
         options.set_capture(capture);
+        // For touches and wheels on a window, browsers take that for granted unless told.
+        options.set_passive(false);
         target.add_event_listener_with_callback_and_add_event_listener_options(name, closure.as_ref().unchecked_ref(), &options)?;
         Ok(Self {
             target: target.clone(),
@@ -89,28 +92,30 @@ impl Drop for Listener {
 pub(crate) fn listen(dom: &Dom) -> Result<Vec<Listener>, JsValue> {
     let window = web_sys::window().ok_or("there is no window")?;
     let host = dom.host();
-    Ok(vec![
-        Listener::new(host, "focusin", false, focus_came)?,
-        Listener::new(host, "focusout", false, |_| focus_went())?,
-        Listener::new(host, "click", false, clicked)?,
-        Listener::new(host, "input", false, typed)?,
-        Listener::new(host, "change", false, typed)?,
-        Listener::new(host, "keydown", false, key_pressed)?,
+    let pointers = pointer::EVENTS.map(|name| Listener::new(&window, name, true, pointer::heard));
+    let others = [
+        Listener::new(host, "focusin", false, focus_came),
+        Listener::new(host, "focusout", false, |_| focus_went()),
+        Listener::new(host, "click", false, clicked),
+        Listener::new(host, "input", false, typed),
+        Listener::new(host, "change", false, typed),
+        Listener::new(host, "keydown", false, key_pressed),
         Listener::new(host, "compositionstart", false, |event| {
-            SIGNALS.with(|signals| signals.composing.set(target(event)))
-        })?,
+            SIGNALS.with(|signals| signals.composing.set(target(event)));
+        }),
         Listener::new(host, "compositionend", false, |event| {
             SIGNALS.with(|signals| signals.composing.set(None));
             typed(event);
-        })?,
-        Listener::new(dom.document(), "selectionchange", false, |_| caret_moved())?,
+        }),
+        Listener::new(dom.document(), "selectionchange", false, |_| caret_moved()),
         // Before eframe's own listener on the canvas, which keeps every Tab from the browser.
-        Listener::new(&window, "keydown", true, key_on_its_way)?,
-        Listener::new(&window, "pointerdown", true, |_| SIGNALS.with(|signals| signals.leaving.set(false)))?,
+        Listener::new(&window, "keydown", true, key_on_its_way),
+        Listener::new(&window, "pointerdown", true, |_| SIGNALS.with(|signals| signals.leaving.set(false))),
         Listener::new(&window, "resize", false, |_| {
             let _ = with(Dom::lay_over_canvas);
-        })?,
-    ])
+        }),
+    ];
+    pointers.into_iter().chain(others).collect()
 }
 
 /// The node whose element an event happened to.
@@ -184,7 +189,10 @@ fn clicked(event: &Event) {
         };
         // A box must not tick itself, nor a link be followed: that is for egui to do.
         event.prevent_default();
-        if element.allowed.click {
+        if dom.gate().is_click_of_canvas() {
+            return;
+        }
+        if element.allowed.click && !dom.is_done_at_once(id) {
             act(dom.ctx(), id, Action::Click, None);
         }
     });

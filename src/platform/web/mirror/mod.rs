@@ -18,8 +18,8 @@
 //! # The parts
 //!
 //! `roles` chooses an element for a role; `model` describes the page; `diff` finds what has changed; `keys` says who gets a
-//! key. These four know no browser. `dom` carries the changes out, `announcer` says what is live, `events` listens, and `tree`
-//! hands the AccessKit tree itself to a test, which compares.
+//! key. These four know no browser. `dom` carries the changes out, `announcer` says what is live, `events` listens, `pointer` lets
+//! pointers through to the canvas, and `tree` hands the AccessKit tree itself to a test, which compares.
 //!
 //! # Focus and keys
 //!
@@ -50,6 +50,8 @@ mod dom;
 mod events;
 #[cfg(target_arch = "wasm32")]
 mod plugin;
+#[cfg(target_arch = "wasm32")]
+mod pointer;
 #[cfg(test)]
 mod tests;
 #[cfg(target_arch = "wasm32")]

@@ -1,6 +1,7 @@
 //! The plugin: the two ends at which egui lets it in.
 
 use std::cell::RefCell;
+use std::rc::Rc;
 
 use egui::accesskit::Node;
 use wasm_bindgen::JsValue;
@@ -24,13 +25,17 @@ struct Installed {
 pub struct Mirror;
 
 /// What an application may choose.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Options {
     /// The element to build the page in; without one it is made beside the canvas, with the id `accessible-mirror`. It
     /// must have the same offset parent as the canvas, over which it is laid.
     pub host: Option<HtmlElement>,
     /// The value of HTML's `inputmode` for a text field, where its role does not say enough.
     pub input_mode: fn(&Node) -> Option<&'static str>,
+    /// Called with what is clicked in the mirror, by a key or by assistive technology, while the browser handles the click: for
+    /// what it allows only then. egui hears of a click in its next frame, which in Safari is too late for the clipboard. Returns
+    /// whether that was all there is to do; if not, egui is told.
+    pub clicked: Rc<dyn Fn(&Node) -> bool>,
 }
 
 impl Default for Options {
@@ -38,6 +43,7 @@ impl Default for Options {
         Self {
             host: None,
             input_mode: |_| None,
+            clicked: Rc::new(|_| false),
         }
     }
 }

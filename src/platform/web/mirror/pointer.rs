@@ -1,0 +1,181 @@
+//! Who gets the pointer: the canvas, though the mirror lies over it.
+//!
+//! A finger that explores the screen with TalkBack or VoiceOver, and a screen reader that speaks what is under the mouse, ask the
+//! browser what is at a point, and Chromium, Firefox and WebKit answer with what a pointer would meet there. So the mirror lies
+//! over the canvas, and pointers can meet it. Whoever explores sends the page no pointer; whoever does is meant for the canvas:
+//! from then on the mirror lets pointers through, until there is none any more. What comes of the first meeting, a finger's press
+//! above all, is handed to the canvas.
+//!
+//! Chromium makes up a whole press, in all like one of a mouse, when assistive technology presses something. But that pointer has
+//! not come from anywhere: nothing was said of it being over the element. It is left to be a click.
+
+use std::cell::Cell;
+
+use wasm_bindgen::{JsCast as _, JsValue, closure::Closure};
+use web_sys::{Element, Event, EventTarget, HtmlElement, PointerEvent};
+
+use super::plugin::with;
+
+/// What is listened to, before anybody else hears of it.
+pub(crate) const EVENTS: [&str; 10] = [
+    "pointerover",
+    "pointerdown",
+    "pointerup",
+    "pointercancel",
+    "pointerout",
+    "mousedown",
+    "touchstart",
+    "click",
+    "wheel",
+    "dragenter",
+];
+
+/// So long after the last finger was lifted, the next may explore. Between touches that follow each other the browser decides
+/// by itself.
+const LIFTED_MS: i32 = 3000;
+
+/// Lets pointers through the mirror while there are any.
+pub(crate) struct Gate {
+    host: HtmlElement,
+    is_open: Cell<bool>,
+    /// The pointer that was over the mirror last, and not over the canvas since.
+    met: Cell<Option<i32>>,
+    /// Its press was handed to the canvas: all that comes of it is not for the mirror.
+    handed_on: Cell<bool>,
+    timer: Cell<Option<i32>>,
+    on_time: Closure<dyn FnMut()>,
+}
+
+/// What is to be done with an event besides.
+enum Verdict {
+    /// Nothing.
+    Leave,
+    /// Let the canvas have it.
+    HandOn,
+    /// Let the canvas have it, and all that comes of it.
+    HandOnPress,
+    /// Let the browser make nothing of it, and the canvas have it.
+    Replace,
+    /// Let the browser make nothing of it.
+    Prevent,
+    /// Let nobody on the page but the mirror hear of it.
+    Keep,
+}
+
+impl Gate {
+    pub(crate) fn new(host: &HtmlElement) -> Self {
+        Self {
+            host: host.clone(),
+            is_open: Cell::new(false),
+            met: Cell::new(None),
+            handed_on: Cell::new(false),
+            timer: Cell::new(None),
+            on_time: Closure::new(|| {
+                let _ = with(|dom| dom.gate().set_open(false));
+            }),
+        }
+    }
+
+    fn set_open(&self, open: bool) {
+        self.stop_timer();
+        if self.is_open.replace(open) != open {
+            let _ = self.host.style().set_property("pointer-events", if open { "none" } else { "auto" });
+        }
+    }
+
+    fn close_soon(&self) {
+        self.stop_timer();
+        let function = self.on_time.as_ref().unchecked_ref();
+        let timer = web_sys::window().and_then(|window| {
+            window
+                .set_timeout_with_callback_and_timeout_and_arguments_0(function, LIFTED_MS)
+                .ok()
+        });
+        self.timer.set(timer);
+    }
+
+    fn stop_timer(&self) {
+        if let (Some(timer), Some(window)) = (self.timer.take(), web_sys::window()) {
+            window.clear_timeout_with_handle(timer);
+        }
+    }
+
+    /// Does a click in the mirror come of a press that the canvas has got?
+    pub(crate) fn is_click_of_canvas(&self) -> bool {
+        self.handed_on.take()
+    }
+
+    fn judge(&self, event: &Event, in_mirror: bool) -> Verdict {
+        let pointer = event.dyn_ref::<PointerEvent>();
+        let id = pointer.map(PointerEvent::pointer_id);
+        let is_mouse = pointer.is_some_and(|pointer| pointer.pointer_type() == "mouse");
+        match event.type_().as_str() {
+            "pointerover" => {
+                self.met.set(id.filter(|_| in_mirror));
+                if in_mirror {
+                    self.set_open(true);
+                }
+            }
+            // From one element to another is not out of the page.
+            "pointerout" if is_mouse && pointer.is_some_and(|pointer| pointer.related_target().is_none()) => self.set_open(false),
+            "pointerdown" => {
+                self.stop_timer();
+                self.handed_on.set(false);
+                if in_mirror && self.met.take() == id {
+                    return Verdict::HandOnPress;
+                }
+            }
+            "pointerup" | "pointercancel" if in_mirror && !self.handed_on.get() => return Verdict::Keep,
+            "pointerup" | "pointercancel" if !is_mouse => self.close_soon(),
+            // Else the keyboard would go to the element, and a mouse would be made of a finger.
+            "mousedown" if in_mirror && self.handed_on.get() => return Verdict::Prevent,
+            "touchstart" if in_mirror && self.handed_on.get() => return Verdict::Replace,
+            "click" if !in_mirror => self.handed_on.set(false),
+            "wheel" if in_mirror => {
+                self.set_open(true);
+                return Verdict::HandOn;
+            }
+            "dragenter" if in_mirror => self.set_open(true),
+            _ => (),
+        }
+        Verdict::Leave
+    }
+}
+
+/// A pointer, or what a browser makes of one, is somewhere on the page.
+pub(crate) fn heard(event: &Event) {
+    let Some(target) = event.target().and_then(|target| target.dyn_into::<Element>().ok()) else {
+        return;
+    };
+    let judged = with(|dom| (dom.gate().judge(event, dom.host().contains(Some(&target))), dom.canvas().clone()));
+    // Not while the page is lent: the canvas may answer with a frame, which changes it.
+    let Some((verdict, canvas)) = judged else { return };
+    match verdict {
+        Verdict::Leave => (),
+        Verdict::HandOn => {
+            let _ = hand_on(event, &canvas);
+        }
+        Verdict::HandOnPress => {
+            let _ = hand_on(event, &canvas);
+            // Not before: the copy is another press, on the canvas.
+            let _ = with(|dom| dom.gate().handed_on.set(true));
+        }
+        Verdict::Replace => {
+            event.prevent_default();
+            // Where no such event can be made, the canvas has still got the pointer.
+            let _ = hand_on(event, &canvas);
+        }
+        Verdict::Prevent => event.prevent_default(),
+        Verdict::Keep => event.stop_propagation(),
+    }
+}
+
+/// Has `target` hear of an event that happened elsewhere. A browser does not send one twice: this is a copy.
+fn hand_on(event: &Event, target: &EventTarget) -> Result<(), JsValue> {
+    let constructor: js_sys::Function = js_sys::Reflect::get(event, &"constructor".into())?.dyn_into()?;
+    let copy = js_sys::Reflect::construct(&constructor, &js_sys::Array::of2(&event.type_().into(), event))?;
+    if !target.dispatch_event(copy.unchecked_ref())? {
+        event.prevent_default();
+    }
+    Ok(())
+}
