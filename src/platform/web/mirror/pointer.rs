@@ -2,14 +2,14 @@
 //!
 //! A finger that explores the screen with TalkBack or VoiceOver, and a screen reader that speaks what is under the mouse, ask the
 //! browser what is at a point, and Chromium, Firefox and WebKit answer with what a pointer would meet there. So the mirror lies
-//! over the canvas, and pointers can meet it. Whoever explores sends the page no pointer; whoever does is meant for the canvas:
-//! from then on the mirror lets pointers through, until there is none any more. What comes of the first meeting, a finger's press
-//! above all, is handed to the canvas.
+//! over the canvas, and pointers can meet it. Whoever explores sends the page no pointer, and a mouse that nobody touches may
+//! lie on the page; but a finger, or a mouse that moves, is meant for the canvas: from then on the mirror lets pointers through,
+//! until there is none any more. What comes of the first meeting, a finger's press above all, is handed to the canvas.
 //!
 //! Chromium makes up a whole press, in all like one of a mouse, when assistive technology presses something. But that pointer has
 //! not come from anywhere: nothing was said of it being over the element. It is left to be a click.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 use wasm_bindgen::{JsCast as _, JsValue, closure::Closure};
 use web_sys::{Element, Event, EventTarget, HtmlElement, PointerEvent};
@@ -17,8 +17,9 @@ use web_sys::{Element, Event, EventTarget, HtmlElement, PointerEvent};
 use super::plugin::with;
 
 /// What is listened to, before anybody else hears of it.
-pub(crate) const EVENTS: [&str; 10] = [
+pub(crate) const EVENTS: [&str; 11] = [
     "pointerover",
+    "pointermove",
     "pointerdown",
     "pointerup",
     "pointercancel",
@@ -38,8 +39,8 @@ const LIFTED_MS: i32 = 3000;
 pub(crate) struct Gate {
     host: HtmlElement,
     is_open: Cell<bool>,
-    /// The pointer that was over the mirror last, and not over the canvas since.
-    met: Cell<Option<i32>>,
+    /// The element of the mirror that a pointer has come over, and not gone on from since.
+    met: RefCell<Option<Element>>,
     /// Its press was handed to the canvas: all that comes of it is not for the mirror.
     handed_on: Cell<bool>,
     timer: Cell<Option<i32>>,
@@ -67,7 +68,7 @@ impl Gate {
         Self {
             host: host.clone(),
             is_open: Cell::new(false),
-            met: Cell::new(None),
+            met: RefCell::default(),
             handed_on: Cell::new(false),
             timer: Cell::new(None),
             on_time: Closure::new(|| {
@@ -105,23 +106,25 @@ impl Gate {
         self.handed_on.take()
     }
 
-    fn judge(&self, event: &Event, in_mirror: bool) -> Verdict {
+    fn judge(&self, event: &Event, target: &Element) -> Verdict {
+        let in_mirror = self.host.contains(Some(target));
         let pointer = event.dyn_ref::<PointerEvent>();
-        let id = pointer.map(PointerEvent::pointer_id);
         let is_mouse = pointer.is_some_and(|pointer| pointer.pointer_type() == "mouse");
         match event.type_().as_str() {
             "pointerover" => {
-                self.met.set(id.filter(|_| in_mirror));
-                if in_mirror {
+                self.met.replace(in_mirror.then(|| target.clone()));
+                if in_mirror && !is_mouse {
                     self.set_open(true);
                 }
             }
+            "pointermove" | "dragenter" if in_mirror => self.set_open(true),
             // From one element to another is not out of the page.
             "pointerout" if is_mouse && pointer.is_some_and(|pointer| pointer.related_target().is_none()) => self.set_open(false),
             "pointerdown" => {
                 self.stop_timer();
                 self.handed_on.set(false);
-                if in_mirror && self.met.take() == id {
+                if in_mirror && self.met.take().as_ref() == Some(target) {
+                    self.set_open(true);
                     return Verdict::HandOnPress;
                 }
             }
@@ -135,7 +138,6 @@ impl Gate {
                 self.set_open(true);
                 return Verdict::HandOn;
             }
-            "dragenter" if in_mirror => self.set_open(true),
             _ => (),
         }
         Verdict::Leave
@@ -147,7 +149,7 @@ pub(crate) fn heard(event: &Event) {
     let Some(target) = event.target().and_then(|target| target.dyn_into::<Element>().ok()) else {
         return;
     };
-    let judged = with(|dom| (dom.gate().judge(event, dom.host().contains(Some(&target))), dom.canvas().clone()));
+    let judged = with(|dom| (dom.gate().judge(event, &target), dom.canvas().clone()));
     // Not while the page is lent: the canvas may answer with a frame, which changes it.
     let Some((verdict, canvas)) = judged else { return };
     match verdict {
