@@ -136,7 +136,7 @@ const PAGES = {
     Object.assign(bench.server.state, { programs: 'held', pieces: 0 });
     await page.driver.get('about:blank');
     await page.run('location.href = arguments[0]', bench.server.url);
-    await until('the page', () => page.run("return document.querySelector('progress') !== null"));
+    await until('the page', () => page.bar());
   },
   'the Learn page': (page) => page.driver.get(`${bench.server.url}learn.html`),
 };
@@ -205,7 +205,8 @@ for (const name of FIELDS) {
     await page.start();
     const field = await page.field(name);
     await page.run('arguments[0].focus()', field);
-    await until('the program to follow', () => page.run("return document.getElementById('app').getAttribute('aria-activedescendant') === arguments[0].id", field));
+    const canvas = await page.canvas();
+    await until('the program to follow', () => page.run("return arguments[0].getAttribute('aria-activedescendant') === arguments[1].id", canvas, field));
     await page.type(Key.ESCAPE);
     await page.type(Key.TAB);
     const inside = `return document.querySelector('${MIRROR}').contains(document.activeElement) && document.hasFocus() && document.activeElement.tabIndex === 0`;
@@ -243,11 +244,12 @@ it('what belongs to the browser stays the browser’s', async (test) => {
       { key: '+', ctrlKey: true }, { key: '-', ctrlKey: true }, { key: '0', ctrlKey: true }, { key: 'F5' }, { key: 'F6' }, { key: 'F11' },
       { key: 'ArrowLeft', altKey: true },
     ];
-    const targets = [arguments[0], document.querySelector('${MIRROR} button'), document.getElementById('app'), document.body];
+    const targets = [arguments[0], document.querySelector('${MIRROR} button'), arguments[1], document.body];
     return targets.flatMap((target) => keys.filter((key) => !target.dispatchEvent(
       new KeyboardEvent('keydown', { ...key, code: key.key.length === 1 && /[a-z]/.test(key.key) ? 'Key' + key.key.toUpperCase() : key.key, bubbles: true, cancelable: true }),
     )).map((key) => target.localName + ': ' + JSON.stringify(key)));`,
     field,
+    await page.canvas(),
   );
   assert.deepEqual(kept, []);
 });
@@ -257,6 +259,7 @@ it('the field that is typed into stays in sight when the keyboard of a phone tak
   await page.setScreen({ width: 500, height: 900 });
   await page.start();
   const field = await page.field(FIELDS[4]);
+  const canvas = await page.canvas();
   await page.run('arguments[0].focus()', field);
   await page.frames();
   const seen = (height) => page.run(`Object.defineProperty(visualViewport, 'height', { configurable: true, value: ${height} }); visualViewport.dispatchEvent(new Event('resize'))`);
@@ -269,10 +272,10 @@ it('the field that is typed into stays in sight when the keyboard of a phone tak
   for (const [name, leave] of Object.entries(keyboards)) {
     await leave(420);
     await until(`the field in sight above a keyboard ${name}`, () =>
-      page.run("const { top, bottom } = arguments[0].getBoundingClientRect(); return document.getElementById('app').clientHeight <= 420 && top >= 0 && bottom <= 420", field),
+      page.run("const { top, bottom } = arguments[0].getBoundingClientRect(); return arguments[1].clientHeight <= 420 && top >= 0 && bottom <= 420", field, canvas),
     );
     await leave(900);
-    await until('the whole page again', () => page.run("return document.getElementById('app').clientHeight > 420"));
+    await until('the whole page again', () => page.run('return arguments[0].clientHeight > 420', canvas));
   }
 });
 

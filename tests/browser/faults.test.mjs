@@ -33,7 +33,7 @@ it('lost graphics lose nothing that was entered', async (test) => {
   await page.start();
   await fillMug(page);
   await mugIsStored(page);
-  await page.run("document.getElementById('app').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()");
+  await page.loseGraphics();
   assert.match(await until('a message', () => page.failure()), /took the graphics away/);
   await page.startAgain('Reload');
   assert.equal(await page.value(FX), '700');

@@ -188,6 +188,29 @@ export class Page {
     await this.consoleProblems();
   }
 
+  /** What is shown of the page around the mirror with this role, of HTML or ARIA, and a name like this; undefined if nothing is. */
+  async around(css, name) {
+    for (const one of await this.driver.findElements({ css })) {
+      if ((await one.isDisplayed()) && name.test(await one.getAccessibleName())) return one;
+    }
+    return undefined;
+  }
+
+  /** What the program is painted on. */
+  canvas() {
+    return until('the canvas', () => this.around('[role=group]', /^Depth Calculator$/));
+  }
+
+  /** The bar that shows how much of the program has arrived, while there is one. */
+  bar() {
+    return this.around('progress', /^(Loading|Starting)/);
+  }
+
+  /** The browser takes the graphics away, as some do when memory is short. */
+  async loseGraphics() {
+    await this.run("arguments[0].getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()", await this.canvas());
+  }
+
   /** The element with one of these roles and this name. The canvas has none: they are those of its accessible mirror. */
   async element(name, ...roles) {
     const css = `${MIRROR} :is(${roles.map((role) => SELECTORS[role]).join()})`;

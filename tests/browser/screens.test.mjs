@@ -74,7 +74,7 @@ for (const { device, scale, sizes } of DEVICES) {
           assert.equal(lightness < 128, dark, `${file}: the lightness of the background is ${lightness}`);
         }
       }
-      assert.equal(await page.run("return document.getElementById('app').width / innerWidth"), scale, 'device pixels drawn');
+      assert.equal(await page.run('return arguments[0].width / innerWidth', await page.canvas()), scale, 'device pixels drawn');
       assert.deepEqual(await page.consoleProblems(), []);
     });
   }

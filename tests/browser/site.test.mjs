@@ -192,7 +192,7 @@ it('a new version is offered, and comes when it is asked for', async (test) => {
   assert.equal((await caches(page)).length, 2, 'the version in use stays until then');
 
   // Nothing that the program draws is covered by the offer.
-  const [canvas, bar] = await page.run("return [document.querySelector('canvas'), document.querySelector('[role=region][aria-label=\"New version\"]')].map((one) => one.getBoundingClientRect().toJSON())");
+  const [canvas, bar] = await page.run('return [...arguments].map((one) => one.getBoundingClientRect().toJSON())', await page.canvas(), await page.around('[role=region]', /^New version$/));
   assert.ok(canvas.bottom <= bar.top && canvas.bottom > 500, JSON.stringify({ canvas, bar }));
   await page.click('Reload');
   await until('the new version', () =>

@@ -26,7 +26,7 @@ it('the program starts, without a complaint and without asking anybody else', as
   const page = await bench.page(test);
   await page.start();
   assert.equal(await page.failure(), '');
-  assert.equal(await page.run("return document.getElementById('loading').hidden"), true);
+  assert.equal(await page.bar(), undefined, 'the program stands where it was awaited');
   assert.deepEqual(await page.consoleProblems(), []);
   assert.deepEqual(await page.askedOrigins(), [bench.server.origin]);
   assert.deepEqual(page.elsewhere(), []);
@@ -56,7 +56,8 @@ it('the bar moves while the program arrives', async (test) => {
   for (const pieces of [4, 10, 16]) {
     bench.server.state.pieces = pieces;
     position = await until(`the bar moves on from ${position}`, async () => {
-      const now = await page.run("return document.getElementById('bar')?.position ?? 0");
+      const bar = await page.bar();
+      const now = bar && (await page.run('return arguments[0].position', bar));
       return now > position && now < 1 && now;
     });
   }
@@ -102,7 +103,7 @@ it('Reload tries again', async (test) => {
 it('lost graphics are said in words', async (test) => {
   const page = await bench.page(test);
   await page.start();
-  await page.run("document.getElementById('app').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()");
+  await page.loseGraphics();
   assert.match(await until('a message', () => page.failure()), /took the graphics away/);
 });
 
