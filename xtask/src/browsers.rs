@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::step::{command, output, root, run, step};
-use crate::tools;
+use crate::{debian, tools};
 
 const BROWSERS: &[&str] = &[
     "chromium",
@@ -65,7 +65,7 @@ pub(crate) fn test(dist: &Path) -> Result<(), String> {
     run_tests("Chromium", "chromium", &files, &programs, dist)?;
 
     files.retain(|file| file != PICTURES);
-    let must = std::env::var_os("CI").is_some_and(|ci| ci == "true");
+    let must = debian::must_install();
     let mut untested = Vec::new();
     for other in OTHERS {
         match find_or_install(other, must) {
@@ -88,7 +88,6 @@ fn run_tests(name: &str, engine: &str, files: &[String], programs: &[(&str, Path
     })
 }
 
-/// Installs only as root or for CI: elsewhere a machine's programs are its owner's business.
 fn find_or_install(other: &Other, must: bool) -> Result<Vec<(&'static str, PathBuf)>, String> {
     if let Some(programs) = (other.find)() {
         return Ok(programs);
@@ -100,16 +99,12 @@ fn find_or_install(other: &Other, must: bool) -> Result<Vec<(&'static str, PathB
     };
     let packages = other.packages.join(" ");
     let advice = format!("the tests need, on Debian and Ubuntu, `apt-get install {packages}`{driver}.");
-    let has_apt = output(&mut command("apt-get", &["--version"])).is_some();
-    if !has_apt || !(must || is_root()) {
+    if !debian::may_install(must) {
         return Err(advice);
     }
     step(&format!("Install {} (some minutes)", other.name), || {
         // Where a browser came from elsewhere, Debian's package may be missing; what matters is looked for below.
-        apt_get(&["update"])?;
-        let mut install = vec!["install", "--yes", "--no-install-recommends"];
-        install.extend(other.packages);
-        let installed = apt_get(&install);
+        let installed = debian::install(other.packages);
         if other.needs_geckodriver && geckodriver().is_none() {
             tools::cargo_install("geckodriver", GECKODRIVER_VERSION, &[])?;
         }
@@ -169,10 +164,6 @@ fn screen() -> Option<()> {
     (has_one || on_path(PathBuf::from("Xvfb")).is_file()).then_some(())
 }
 
-fn is_root() -> bool {
-    output(&mut command("id", &["-u"])).as_deref() == Some("0")
-}
-
 fn check_node() -> Result<(), String> {
     let wanted = format!("The browser tests need Node.js {OLDEST_NODE} or newer, with npm, on PATH");
     let version = output(&mut command("node", &["--version"])).ok_or_else(|| format!("{wanted}."))?;
@@ -220,25 +211,14 @@ fn find_or_install_chromium() -> Result<Chromium, String> {
     }
     let advice = "The browser tests need Chromium or Chrome and a chromedriver of the same version on PATH: \
                   on Debian and Ubuntu `apt-get install chromium chromium-driver`, elsewhere Chrome and the chromedriver that belongs to it.";
-    if output(&mut command("apt-get", &["--version"])).is_none() {
+    if !debian::may_install(true) {
         return Err(advice.to_owned());
     }
     step("Install Chromium (about a minute)", || {
-        apt_get(&["update"])?;
-        apt_get(&["install", "--yes", "--no-install-recommends", "chromium", "chromium-driver"])
+        debian::install(&["chromium", "chromium-driver"])
     })
     .map_err(|reason| format!("{reason}\n{advice}"))?;
     find_chromium().ok_or_else(|| advice.to_owned())
-}
-
-fn apt_get(arguments: &[&str]) -> Result<(), String> {
-    // -n: fail instead of asking for a password that nobody may be there to type.
-    let mut apt_get = if is_root() {
-        command("apt-get", &[])
-    } else {
-        command("sudo", &["-n", "apt-get"])
-    };
-    run(apt_get.args(arguments).env("DEBIAN_FRONTEND", "noninteractive"))
 }
 
 /// The first browser for which there is a driver of the same major version.

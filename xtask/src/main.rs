@@ -2,6 +2,8 @@
 
 mod browsers;
 mod check;
+mod debian;
+mod desktop;
 mod dist;
 mod lighthouse;
 mod serve;
