@@ -159,6 +159,14 @@ impl App {
     }
 
     fn carry_out(&mut self, ctx: &egui::Context, command: Command) {
+        if let Command::Follow(fragment) = &command {
+            let mut inputs = self.sheet.inputs.clone();
+            // One that names nothing changes nothing.
+            if link::apply(fragment, &mut inputs) {
+                self.carry_out(ctx, Command::Open(Box::new(inputs), "The link filled in the fields that it names."));
+            }
+            return;
+        }
         if !matches!(
             command,
             Command::DragDisparity(_) | Command::CopyResults | Command::Show(_) | Command::Theme(_)
@@ -169,7 +177,7 @@ impl App {
             self.notice = None;
         }
         match command {
-            Command::Settle | Command::Dismiss => {}
+            Command::Settle | Command::Dismiss | Command::Follow(_) => {}
             Command::Calculate => self.calculate(ctx),
             Command::Reset => {
                 if self.sheet.inputs.is_blank() {
@@ -188,12 +196,6 @@ impl App {
                 self.calculator.reveal_results = Layout::of_width(ctx.content_rect().width()) == Layout::Phone;
                 self.calculator.helper = None;
                 self.say(said, replaced.then_some(("Undo", Command::Undo)));
-            }
-            Command::Follow(fragment) => {
-                let mut inputs = self.sheet.inputs.clone();
-                if link::apply(&fragment, &mut inputs) {
-                    self.carry_out(ctx, Command::Open(Box::new(inputs), "The link filled in the fields that it names."));
-                }
             }
             Command::Undo => match self.history.undo() {
                 Some(inputs) => {

@@ -189,7 +189,11 @@ const firefox = {
   },
 
   async allowClipboard() {},
-  consoleProblems: async (driver) => driver.problems.splice(0),
+  async consoleProblems(driver) {
+    // What comes by the same way as this answer has come before it.
+    await (await driver.getBidi()).send({ method: 'session.status', params: {} });
+    return driver.problems.splice(0);
+  },
 };
 
 const webkit = {
@@ -260,7 +264,11 @@ async function startProxy(expected = /^$/) {
   };
   const server = createServer((request, response) => refuse(request, () => response.writeHead(502).end()));
   // https, and sockets.
-  server.on('connect', (request, socket) => refuse(request, () => socket.end('HTTP/1.1 502 Bad Gateway\r\n\r\n')));
+  server.on('connect', (request, socket) => {
+    // A browser that is ended hangs up on it.
+    socket.on('error', () => {});
+    refuse(request, () => socket.end('HTTP/1.1 502 Bad Gateway\r\n\r\n'));
+  });
   server.listen(0, '127.0.0.1');
   await once(server, 'listening');
   const close = () => {

@@ -6,6 +6,8 @@ use egui::{Id, Rect, Ui, UiBuilder};
 /// egui's own panels at the bottom come before what they leave room for.
 pub struct Foot {
     id: Id,
+    /// How high the foot was last time.
+    height: f32,
     above: Rect,
     below: Rect,
 }
@@ -17,7 +19,7 @@ impl Foot {
         let height: f32 = ui.data(|data| data.get_temp(id)).unwrap_or(0.0);
         let whole = ui.available_rect_before_wrap();
         let (above, below) = whole.split_top_bottom_at_y((whole.bottom() - height).max(whole.top()));
-        Self { id, above, below }
+        Self { id, height, above, below }
     }
 
     /// Draws what is above.
@@ -35,7 +37,8 @@ impl Foot {
             add_contents(ui);
         });
         let height = drawn.response.rect.height();
-        if height != self.below.height() {
+        // A window may be lower than that.
+        if height != self.height {
             ui.data_mut(|data| data.insert_temp(self.id, height));
             ui.ctx().request_discard("what stands below has another height");
         }

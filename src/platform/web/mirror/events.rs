@@ -59,7 +59,8 @@ pub(crate) struct Listener {
     target: EventTarget,
     name: &'static str,
     capture: bool,
-    closure: Closure<dyn FnMut(Event)>,
+    /// Not `FnMut`: a copy of an event, sent while that is being heard, is heard as well.
+    closure: Closure<dyn Fn(Event)>,
 }
 
 impl Listener {

@@ -1,10 +1,10 @@
 //! Who gets the pointer: the canvas, though the mirror lies over it.
 //!
-//! A finger that explores the screen with TalkBack or VoiceOver, and a screen reader that speaks what is under the mouse, ask the
-//! browser what is at a point, and Chromium, Firefox and WebKit answer with what a pointer would meet there. So the mirror lies
-//! over the canvas, and pointers can meet it. Whoever explores sends the page no pointer, and a mouse that nobody touches may
-//! lie on the page; but a finger, or a mouse that moves, is meant for the canvas: from then on the mirror lets pointers through,
-//! until there is none any more. What comes of the first meeting, a finger's press above all, is handed to the canvas.
+//! When a finger explores the screen with TalkBack or VoiceOver, these ask the browser what is at a point, and Chromium, Firefox
+//! and WebKit answer with what a pointer would meet there. So the mirror lies over the canvas, and pointers can meet it. Whoever
+//! explores sends the page no pointer. A finger that does, or a mouse that moves, is meant for the canvas: from then on the
+//! mirror lets pointers through, until the mouse has left the page, or some time after the finger was lifted. What comes of the
+//! first meeting, a finger's press above all, is handed to the canvas.
 //!
 //! Chromium makes up a whole press, in all like one of a mouse, when assistive technology presses something. But that pointer has
 //! not come from anywhere: nothing was said of it being over the element. It is left to be a click.
@@ -17,7 +17,7 @@ use web_sys::{Element, Event, EventTarget, HtmlElement, PointerEvent};
 use super::plugin::with;
 
 /// What is listened to, before anybody else hears of it.
-pub(crate) const EVENTS: [&str; 11] = [
+pub(crate) const EVENTS: [&str; 12] = [
     "pointerover",
     "pointermove",
     "pointerdown",
@@ -26,6 +26,7 @@ pub(crate) const EVENTS: [&str; 11] = [
     "pointerout",
     "mousedown",
     "touchstart",
+    "touchcancel",
     "click",
     "wheel",
     "dragenter",
@@ -41,8 +42,8 @@ pub(crate) struct Gate {
     is_open: Cell<bool>,
     /// The element of the mirror that a pointer has come over, and not gone on from since.
     met: RefCell<Option<Element>>,
-    /// Its press was handed to the canvas: all that comes of it is not for the mirror.
-    handed_on: Cell<bool>,
+    /// The pointer whose press was handed to the canvas: all that comes of it is not for the mirror.
+    handed_on: Cell<Option<i32>>,
     timer: Cell<Option<i32>>,
     on_time: Closure<dyn FnMut()>,
 }
@@ -53,8 +54,8 @@ enum Verdict {
     Leave,
     /// Let the canvas have it.
     HandOn,
-    /// Let the canvas have it, and all that comes of it.
-    HandOnPress,
+    /// Let the canvas have it, and all that comes of this pointer's press.
+    HandOnPress(i32),
     /// Let the browser make nothing of it, and the canvas have it.
     Replace,
     /// Let the browser make nothing of it.
@@ -69,7 +70,7 @@ impl Gate {
             host: host.clone(),
             is_open: Cell::new(false),
             met: RefCell::default(),
-            handed_on: Cell::new(false),
+            handed_on: Cell::new(None),
             timer: Cell::new(None),
             on_time: Closure::new(|| {
                 let _ = with(|dom| dom.gate().set_open(false));
@@ -103,13 +104,15 @@ impl Gate {
 
     /// Does a click in the mirror come of a press that the canvas has got?
     pub(crate) fn is_click_of_canvas(&self) -> bool {
-        self.handed_on.take()
+        self.handed_on.take().is_some()
     }
 
     fn judge(&self, event: &Event, target: &Element) -> Verdict {
         let in_mirror = self.host.contains(Some(target));
         let pointer = event.dyn_ref::<PointerEvent>();
+        let id = pointer.map(PointerEvent::pointer_id);
         let is_mouse = pointer.is_some_and(|pointer| pointer.pointer_type() == "mouse");
+        let is_finger = pointer.is_some_and(|pointer| pointer.pointer_type() == "touch");
         match event.type_().as_str() {
             "pointerover" => {
                 self.met.replace(in_mirror.then(|| target.clone()));
@@ -117,23 +120,35 @@ impl Gate {
                     self.set_open(true);
                 }
             }
-            "pointermove" | "dragenter" if in_mirror => self.set_open(true),
+            "pointermove" if in_mirror && is_mouse => self.set_open(true),
+            "dragenter" if in_mirror => self.set_open(true),
             // From one element to another is not out of the page.
-            "pointerout" if is_mouse && pointer.is_some_and(|pointer| pointer.related_target().is_none()) => self.set_open(false),
-            "pointerdown" => {
+            "pointerout" if !is_finger && pointer.is_some_and(|pointer| pointer.related_target().is_none()) => self.set_open(false),
+            "pointerdown" if !in_mirror => {
                 self.stop_timer();
-                self.handed_on.set(false);
-                if in_mirror && self.met.take().as_ref() == Some(target) {
+                self.handed_on.set(None);
+            }
+            "pointerdown" => {
+                self.handed_on.set(None);
+                if let Some(id) = id.filter(|_| self.met.take().as_ref() == Some(target)) {
                     self.set_open(true);
-                    return Verdict::HandOnPress;
+                    return Verdict::HandOnPress(id);
                 }
             }
-            "pointerup" | "pointercancel" if in_mirror && !self.handed_on.get() => return Verdict::Keep,
-            "pointerup" | "pointercancel" if !is_mouse => self.close_soon(),
+            "pointerup" | "pointercancel" if in_mirror && self.handed_on.get() != id => return Verdict::Keep,
+            "pointerup" | "pointercancel" if !is_mouse => {
+                self.close_soon();
+                // Of a pen's press a click may come, of a finger's none: see `touchstart`.
+                if is_finger {
+                    self.handed_on.set(None);
+                }
+            }
             // Else the keyboard would go to the element, and a mouse would be made of a finger.
-            "mousedown" if in_mirror && self.handed_on.get() => return Verdict::Prevent,
-            "touchstart" if in_mirror && self.handed_on.get() => return Verdict::Replace,
-            "click" if !in_mirror => self.handed_on.set(false),
+            "mousedown" if in_mirror && self.handed_on.get().is_some() => return Verdict::Prevent,
+            "touchstart" if in_mirror && self.handed_on.get().is_some() => return Verdict::Replace,
+            // eframe hears of a move and an end wherever they happen, of this on the canvas alone.
+            "touchcancel" if in_mirror => return Verdict::HandOn,
+            "click" if !in_mirror => self.handed_on.set(None),
             "wheel" if in_mirror => {
                 self.set_open(true);
                 return Verdict::HandOn;
@@ -157,10 +172,10 @@ pub(crate) fn heard(event: &Event) {
         Verdict::HandOn => {
             let _ = hand_on(event, &canvas);
         }
-        Verdict::HandOnPress => {
+        Verdict::HandOnPress(id) => {
             let _ = hand_on(event, &canvas);
             // Not before: the copy is another press, on the canvas.
-            let _ = with(|dom| dom.gate().handed_on.set(true));
+            let _ = with(|dom| dom.gate().handed_on.set(Some(id)));
         }
         Verdict::Replace => {
             event.prevent_default();
