@@ -37,7 +37,8 @@ pub(crate) fn test() -> Result<(), String> {
         }
     }
     step("The desktop program, through assistive technology", || {
-        run(&mut cargo(&["build", "--locked"]))?;
+        // As the tests have built it already.
+        run(&mut cargo(&["build", "--locked", "--workspace"]))?;
         let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), Into::into);
         let mut session = command("dbus-run-session", &["--", PYTHON, "-W", "ignore", "tests/desktop/assistive.py"]);
         run(session.arg(target.join("debug/depth-calculator")))
