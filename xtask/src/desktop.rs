@@ -1,7 +1,7 @@
 //! The desktop program as assistive technology meets it: AT-SPI, which is Linux's way. tests/desktop holds the test.
 
 use crate::debian;
-use crate::step::{cargo, command, output, root, run, step};
+use crate::step::{command, output, root, run, step};
 
 /// Debian's own, which has Debian's bindings.
 const PYTHON: &str = "/usr/bin/python3";
@@ -18,7 +18,7 @@ const PACKAGES: &[&str] = &[
     "libxkbcommon-x11-0",
 ];
 
-/// Starts the program and uses it by role and name. Elsewhere than on Linux it only says that this is not tested.
+/// Starts the program, which `cargo test` has built, and uses it by role and name. Elsewhere than on Linux it only says that this is not tested.
 pub(crate) fn test() -> Result<(), String> {
     if !is_there() {
         let advice = format!(
@@ -37,8 +37,6 @@ pub(crate) fn test() -> Result<(), String> {
         }
     }
     step("The desktop program, through assistive technology", || {
-        // As the tests have built it already.
-        run(&mut cargo(&["build", "--locked", "--workspace"]))?;
         let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), Into::into);
         let mut session = command("dbus-run-session", &["--", PYTHON, "-W", "ignore", "tests/desktop/assistive.py"]);
         run(session.arg(target.join("debug/depth-calculator")))
