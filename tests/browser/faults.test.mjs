@@ -1,7 +1,7 @@
 // What may go wrong around the program: each is said in a sentence, and nothing that was entered is lost by it.
 
 import assert from 'node:assert/strict';
-import { after, before, test as it } from 'node:test';
+import { after, before, it, ONE_ENGINE } from './harness.mjs';
 import { Key, startBench, STORAGE_KEY, until } from './page.mjs';
 
 const FX = 'Focal length (fx)';
@@ -94,7 +94,7 @@ const REFUSALS = [
 ];
 
 for (const { title, script, says } of REFUSALS) {
-  it(`${title} is said, and the program works`, async (test) => {
+  it(`${title} is said, and the program works`, { engines: ONE_ENGINE }, async (test) => {
     const page = await bench.page(test);
     await page.runBefore(script);
     await page.start();
@@ -129,7 +129,7 @@ it('a full storage is said, and the program works', async (test) => {
   assert.equal(await page.value(FX), '700');
 });
 
-it('a clipboard that refuses is said', async (test) => {
+it('a clipboard that refuses is said', { engines: ONE_ENGINE }, async (test) => {
   const page = await bench.page(test);
   await page.start();
   await page.press('Coffee mug (stereo)');
@@ -158,7 +158,7 @@ it('what is copied is copied while the browser handles the click, as Safari dema
   assert.match(await copied(), /^pointerup: .*1\.400 m/s);
 });
 
-it('a browser that gives the page no clipboard is told from one that refuses', async (test) => {
+it('a browser that gives the page no clipboard is told from one that refuses', { engines: ONE_ENGINE }, async (test) => {
   const page = await bench.page(test);
   await page.start();
   await page.press('Coffee mug (stereo)');

@@ -1,13 +1,13 @@
 // The mirror after a long random walk: still the page that the program describes, with nothing stale in it.
 
 import assert from 'node:assert/strict';
-import { after, before, test as it } from 'node:test';
+import { after, before, it, unless } from './harness.mjs';
 import { Pointer } from 'selenium-webdriver/lib/input.js';
 import { Key, startBench, until } from './page.mjs';
+import { settings } from './settings.mjs';
 
 const MIRROR = '#accessible-mirror';
-const SEED = Number(process.env.SEED ?? 20_261_122);
-const BATCHES = Number(process.env.BATCHES ?? 25);
+const { seed: SEED, batches: BATCHES } = settings;
 const STEPS = 8;
 const TEXTS = ['', '7', '700', '0.5', '-3', '1e400', 'seven', '10 cm', '1.5%', '٣', '²', '😀 a', '<b>&"', '1,5', '12 in', 'a'.repeat(300), ' 700 '];
 
@@ -207,7 +207,7 @@ it('what assistive technology is told is what egui says, and where it is painted
   await look('the explanations');
 });
 
-it(`a random walk of ${BATCHES * STEPS} steps (seed ${SEED}) leaves the mirror as the program describes it`, async (test) => {
+it(`a random walk of ${BATCHES * STEPS} steps leaves the mirror as the program describes it`, async (test) => {
   const page = await bench.page(test);
   await page.start();
   const random = randomNumbers(SEED);
@@ -408,7 +408,7 @@ it('a finger that explores finds what is painted there, and a pointer that comes
   await until('the key in the field', async () => (await page.value('Disparity (d)')).includes('7'));
   assert.notEqual(await page.run('return document.activeElement.localName'), 'body');
 
-  if (bench.unless('touch')) test.diagnostic(`Without a finger: ${bench.unless('touch')}`);
+  if (unless('touch')) test.diagnostic(`Without a finger: ${unless('touch')}`);
   else await byTouch(page, hasSigma);
   assert.deepEqual(await page.consoleProblems(), []);
 });

@@ -3,7 +3,7 @@
 import { setTimeout as sleep } from 'node:timers/promises';
 import { PNG } from 'pngjs';
 import { Key } from 'selenium-webdriver';
-import { startEngine } from './engines.mjs';
+import { startEngine } from './engines/index.mjs';
 import { startServer } from './server.mjs';
 
 export const STORAGE_KEY = 'depth-calculator/v1';
@@ -20,40 +20,32 @@ const CANDIDATES = `
   const labels = (one) => (one.getAttribute('aria-labelledby') ?? '').split(' ').map((id) => document.getElementById(id)?.textContent);
   return [...document.querySelectorAll(css)].filter((one) =>
     [one.getAttribute('aria-label'), labels(one).join(' '), one.textContent].some((words) => words?.trim() === name));`;
-const PATIENCE_MS = 30_000;
+/** Only a program that hangs takes so long, however much else the machine does. */
+const PATIENCE_MS = 120_000;
 /** How a page can be without what its engine cannot switch off. */
 const WITHOUT = {
   webgl: 'HTMLCanvasElement.prototype.getContext = () => null',
   webassembly: 'delete globalThis.WebAssembly',
 };
 
-/** A server and a browser driver for one file of tests. */
+/** A server and a browser for one file of tests. */
 export async function startBench() {
   const server = await startServer();
   const session = await startEngine();
   return {
     server,
-    engineName: session.name,
-    /** For the option `skip` of a test: why it cannot run in this engine, if so. Each name is one of `cannot` in engines.mjs. */
-    unless(...abilities) {
-      const missing = abilities.filter((ability) => ability in session.engine.cannot);
-      return missing.length > 0 && missing.map((ability) => `${session.name} cannot ${ability}: ${session.engine.cannot[ability]}`).join('; ');
-    },
-    /** A page in a fresh browser, which closes with the test; nothing is loaded yet. */
+    /** A page in a browser that knows nothing of earlier ones; nothing is loaded yet. */
     async page(test, options = {}) {
-      server.state.programs = 'sent';
-      server.state.changed.clear();
-      server.state.added.clear();
+      await server.renew();
       const driver = await session.open(options);
-      test.after(() => session.end(driver));
       const page = new Page(session.engine, server, driver, test);
       await page.setScreen({ width: 1280, height: 900 });
       const { without } = options;
       if (without && !session.engine.switchesOff.includes(without)) await page.runBefore(WITHOUT[without]);
       return page;
     },
-    close() {
-      session.close();
+    async close() {
+      await session.close();
       server.close();
     },
   };
@@ -158,7 +150,7 @@ export class Page {
     return until('a message', () => this.failure());
   }
 
-  /** Every request to another computer since the browser was started, whoever made it: the page, its worker, the browser. */
+  /** What the page or its worker has asked of other computers, as the proxy heard it. */
   elsewhere() {
     return this.driver.elsewhere;
   }

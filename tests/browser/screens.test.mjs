@@ -4,10 +4,11 @@ import assert from 'node:assert/strict';
 import { mkdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { setTimeout as sleep } from 'node:timers/promises';
-import { after, before, test as it } from 'node:test';
+import { after, before, it, ONE_ENGINE } from './harness.mjs';
 import { background, startBench, until } from './page.mjs';
+import { settings } from './settings.mjs';
 
-const FOLDER = path.resolve(import.meta.dirname, '../../target/screenshots');
+const FOLDER = settings.screenshots;
 const DEVICES = [
   { device: 'a phone', scale: 2, sizes: [{ width: 390, height: 844 }] },
   {
@@ -56,7 +57,7 @@ async function settledScreenshot(page) {
 
 for (const { device, scale, sizes } of DEVICES) {
   for (const [name, reach] of Object.entries(SCREENS)) {
-    it(`${name} is drawn on ${device}, light and dark`, async (test) => {
+    it(`${name} is drawn on ${device}, light and dark`, { engines: ONE_ENGINE }, async (test) => {
       const page = await bench.page(test, { scale });
       await page.setScreen(sizes[0]);
       await page.start();
@@ -67,7 +68,7 @@ for (const { device, scale, sizes } of DEVICES) {
         for (const size of sizes) {
           await page.setScreen({ ...size, dark });
           const png = await settledScreenshot(page);
-          const file = `${bench.engineName}-${name}-${size.width}-${dark ? 'dark' : 'light'}.png`;
+          const file = `${name}-${size.width}-${dark ? 'dark' : 'light'}.png`;
           await writeFile(path.join(FOLDER, file), png);
           const { share, lightness } = background(png);
           assert.ok(share < 0.985, `${file} is nearly of one colour (${(100 * share).toFixed(1)} %)`);
@@ -80,14 +81,14 @@ for (const { device, scale, sizes } of DEVICES) {
   }
 }
 
-it('the page before the program follows the colour scheme', async (test) => {
+it('the page before the program follows the color scheme', { engines: ONE_ENGINE }, async (test) => {
   const page = await bench.page(test);
   bench.server.state.programs = 'missing';
   for (const dark of [false, true]) {
     await page.setScreen({ width: 1280, height: 900, dark });
     await page.startFailing();
     const png = await settledScreenshot(page);
-    await writeFile(path.join(FOLDER, `${bench.engineName}-failure-${dark ? 'dark' : 'light'}.png`), png);
+    await writeFile(path.join(FOLDER, `failure-${dark ? 'dark' : 'light'}.png`), png);
     assert.equal(background(png).lightness < 128, dark);
   }
 });

@@ -6,8 +6,9 @@ import { once } from 'node:events';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { setTimeout as sleep } from 'node:timers/promises';
+import { settings } from './settings.mjs';
 
-const DIST = path.resolve(process.env.DIST ?? path.join(import.meta.dirname, '../../dist'));
+const DIST = path.resolve(settings.dist ?? '.');
 /** The page must work from any folder. */
 const BASE = '/some/folder/';
 
@@ -30,6 +31,10 @@ const TYPES = {
  */
 export async function startServer() {
   const state = { programs: 'sent', pieces: 0, changed: new Map(), added: new Map() };
+  /** A page from a port that was used before would find what that one left in the browser. */
+  const used = new Set();
+  let server;
+  let origin;
 
   async function sendProgram(response, content) {
     switch (state.programs) {
@@ -37,9 +42,8 @@ export async function startServer() {
         response.writeHead(404).end();
         return;
       case 'cut':
-        response.write(content.subarray(0, content.length / 2));
-        await sleep(200);
-        response.destroy();
+        // The connection ends when the first half is on its way.
+        response.write(content.subarray(0, content.length / 2), () => response.destroy());
         return;
       case 'broken':
         response.end(Buffer.alloc(content.length, 'This is not a program. '));
@@ -61,7 +65,7 @@ export async function startServer() {
     }
   }
 
-  const server = createServer(async (request, response) => {
+  async function answer(request, response) {
     try {
       const { pathname } = new URL(request.url, 'http://host');
       const name = pathname.startsWith(BASE) ? pathname.slice(BASE.length) || 'index.html' : undefined;
@@ -70,29 +74,54 @@ export async function startServer() {
       const content = state.added.get(name) ?? (await readFile(file));
       response.setHeader('content-type', TYPES[path.extname(file)] ?? 'application/octet-stream');
       response.setHeader('cache-control', 'no-store');
+      // Whoever is asked learns that this page asks: the proxy tells it from the browser by that.
+      response.setHeader('referrer-policy', 'unsafe-url');
       if (file.endsWith('.wasm')) await sendProgram(response, content);
       else response.end((await state.changed.get(name)?.(content.toString())) ?? content);
     } catch {
       if (!response.headersSent) response.writeHead(404, { 'content-type': 'text/plain' });
       response.end('There is no such file.');
     }
-  });
-  server.listen(0, '127.0.0.1');
-  await once(server, 'listening');
-  const origin = `http://127.0.0.1:${server.address().port}`;
+  }
+
+  async function listen() {
+    do {
+      server?.close();
+      server = createServer(answer).listen(0, '127.0.0.1');
+      await once(server, 'listening');
+    } while (used.has(server.address().port));
+    used.add(server.address().port);
+    origin = `http://127.0.0.1:${server.address().port}`;
+  }
+
+  function close() {
+    server.closeAllConnections();
+    server.close();
+  }
+
+  await listen();
   return {
-    origin,
-    url: origin + BASE,
+    get origin() {
+      return origin;
+    },
+    get url() {
+      return origin + BASE;
+    },
     state,
+    /** An origin that no page has been at, and files as they are: what a page has stored, kept or allowed is not there. */
+    async renew() {
+      close();
+      Object.assign(state, { programs: 'sent', pieces: 0 });
+      state.changed.clear();
+      state.added.clear();
+      await listen();
+    },
     /** From now on the page is what `change` makes of it, and the worker, which `changeWorker` may change, expects that one. */
     async changePage(change, changeWorker = (text) => text) {
       const digest = (text) => `sha256-${createHash('sha256').update(text).digest('base64')}`;
       const html = await readFile(path.join(DIST, 'index.html'), 'utf8');
       state.changed.set('index.html', change).set('sw.js', (text) => changeWorker(text).replace(digest(html), digest(change(html))));
     },
-    close() {
-      server.closeAllConnections();
-      server.close();
-    },
+    close,
   };
 }

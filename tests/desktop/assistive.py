@@ -1,7 +1,8 @@
 """The desktop program as assistive technology meets it on Linux: through AT-SPI, by role and name.
 
 Usage: dbus-run-session -- python3 assistive.py PROGRAM
-Needs Xvfb, at-spi2-core and the GObject bindings of Atspi. Everything is started anew and ends with this script.
+Needs Xvfb, at-spi2-core and the GObject bindings of Atspi. Everything is started anew and ends with this script; nothing is read
+from or written into the folders of whoever runs it, and no window opens on their screen.
 """
 
 import os
@@ -9,25 +10,45 @@ import subprocess
 import sys
 import tempfile
 import time
+from pathlib import Path
 
 import gi
 
 gi.require_version("Atspi", "2.0")
 from gi.repository import Atspi, Gio, GLib  # noqa: E402
 
-PATIENCE_S = 30
+# Only a program that hangs takes so long, however much else the machine does.
+PATIENCE_S = 120
+ATTEMPTS = 2
 ENTRY = {"entry", "text", "spin button"}
 BUTTON = {"push button", "button", "link"}
 
 
-def start_screen():
-    """An X server without a screen, for this process and those that it starts."""
-    read, write = os.pipe()
-    screen = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x1000x24", "-nolisten", "tcp"], pass_fds=[write])
-    os.close(write)
-    with os.fdopen(read) as number:
-        os.environ["DISPLAY"] = ":" + number.readline().strip()
-    return screen
+class Screen:
+    """An X server without glass, started anew once if it ends at once."""
+
+    def __init__(self):
+        for attempt in range(ATTEMPTS):
+            read, write = os.pipe()
+            command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x1000x24", "-nolisten", "tcp"]
+            self.process = subprocess.Popen(command, pass_fds=[write])
+            os.close(write)
+            with os.fdopen(read) as number:
+                self.display = number.readline().strip()
+            if self.display:
+                return
+            print(f"Xvfb ended at once with exit code {self.process.wait()} (attempt {attempt + 1} of {ATTEMPTS}).", file=sys.stderr)
+        raise SystemExit("Xvfb does not start.")
+
+
+def own_environment(home, display):
+    """Variables that keep the program away from the desktop and the files of whoever runs this."""
+    folders = {"HOME": home}
+    for name in ("CONFIG", "DATA", "CACHE", "STATE"):
+        folders[f"XDG_{name}_HOME"] = str(Path(home, name.lower()))
+    os.environ.pop("WAYLAND_DISPLAY", None)
+    os.environ.pop("WAYLAND_SOCKET", None)
+    return folders | {"DISPLAY": f":{display}", "XDG_SESSION_TYPE": "x11", "LIBGL_ALWAYS_SOFTWARE": "1"}
 
 
 def announce_screen_reader():
@@ -59,66 +80,79 @@ def everything():
     return found
 
 
-def until(what, look):
-    end = time.monotonic() + PATIENCE_S
-    while time.monotonic() < end:
-        seen = look()
-        if seen:
-            return seen
-        time.sleep(0.2)
-    told = "\n".join(f"  {role}: {name}" for _, role, name in everything())
-    raise SystemExit(f"Waited {PATIENCE_S} s in vain: {what}. What is told:\n{told}")
+class Program:
+    """The program under test. Whatever is waited for, it must be running."""
+
+    def __init__(self, path, errors):
+        self.errors = errors
+        self.process = subprocess.Popen([path], stderr=errors)
+
+    def check(self):
+        code = self.process.poll()
+        if code is not None:
+            self.errors.seek(0)
+            raise SystemExit(f"The program ended with exit code {code}. It said:\n{self.errors.read()}")
+
+    def until(self, what, look):
+        end = time.monotonic() + PATIENCE_S
+        while time.monotonic() < end:
+            self.check()
+            seen = look()
+            if seen:
+                return seen
+            time.sleep(0.2)
+        told = "\n".join(f"  {role}: {name}" for _, role, name in everything())
+        raise SystemExit(f"Waited {PATIENCE_S} s in vain: {what}. What is told:\n{told}")
+
+    def find(self, name, roles):
+        return self.until(f"{name} ({', '.join(sorted(roles))})", lambda: next((one for one, role, said in everything() if said == name and role in roles), None))
+
+    def says(self, words):
+        return self.until(f'"{words}" said', lambda: any(words in name for _, _, name in everything()))
+
+    def press(self, name, roles=frozenset(BUTTON)):
+        if not self.find(name, roles).do_action(0):
+            raise SystemExit(f"{name} cannot be pressed.")
+
+    def write(self, name, text):
+        field = self.find(name, ENTRY)
+        if not Atspi.EditableText.set_text_contents(field, text):
+            raise SystemExit(f"{name} cannot be written into.")
+        self.until(f"{text} in {name}", lambda: Atspi.Text.get_text(self.find(name, ENTRY), 0, -1) == text)
 
 
-def find(name, roles):
-    return until(f"{name} ({', '.join(sorted(roles))})", lambda: next((one for one, role, said in everything() if said == name and role in roles), None))
-
-
-def says(words):
-    return until(f'"{words}" said', lambda: any(words in name for _, _, name in everything()))
-
-
-def press(name, roles=frozenset(BUTTON)):
-    if not find(name, roles).do_action(0):
-        raise SystemExit(f"{name} cannot be pressed.")
-
-
-def write(name, text):
-    field = find(name, ENTRY)
-    if not Atspi.EditableText.set_text_contents(field, text):
-        raise SystemExit(f"{name} cannot be written into.")
-    until(f"{text} in {name}", lambda: Atspi.Text.get_text(find(name, ENTRY), 0, -1) == text)
-
-
-def use():
-    says("Depth Calculator")
-    find("Depth Calculator", {"heading"})
+def use(program, home):
+    program.says("Depth Calculator")
+    program.find("Depth Calculator", {"heading"})
     for name, text in [("Focal length (fx)", "700"), ("Camera baseline (b)", "100"), ("Disparity (d)", "50")]:
-        write(name, text)
-    says("1.400 m")
-    write("Disparity (d)", "100")
-    says("0.7000 m")
-    write("Disparity (d)", "none")
-    says("⚠")
-    press("Doorway (monocular)")
-    says("4.275 m")
-    find("Stereo against monocular", {"image"})
-    press("Learn", {"page tab"})
-    find("What this computes", {"heading"})
+        program.write(name, text)
+    program.says("1.400 m")
+    program.write("Disparity (d)", "100")
+    program.says("0.7000 m")
+    program.write("Disparity (d)", "none")
+    program.says("⚠")
+    program.press("Doorway (monocular)")
+    program.says("4.275 m")
+    program.find("Stereo against monocular", {"image"})
+    program.press("Learn", {"page tab"})
+    program.find("What this computes", {"heading"})
+    stored = Path(home, "config", "depth-calculator", "state-v1.json")
+    program.until(f"the inputs in {stored}", lambda: stored.is_file() and '"950"' in stored.read_text(encoding="utf-8"))
 
 
 def main():
-    program = sys.argv[1]
-    with tempfile.TemporaryDirectory() as home:
-        os.environ.update({"HOME": home, "XDG_DATA_HOME": home, "LIBGL_ALWAYS_SOFTWARE": "1"})
-        started = [start_screen()]
+    started = []
+    with tempfile.TemporaryDirectory() as home, tempfile.TemporaryFile("w+", encoding="utf-8") as errors:
         try:
+            screen = Screen()
+            started.append(screen.process)
+            os.environ.update(own_environment(home, screen.display))
             announce_screen_reader()
-            started.append(subprocess.Popen([program]))
+            program = Program(sys.argv[1], errors)
+            started.append(program.process)
             Atspi.init()
-            use()
-            if started[-1].poll() is not None:
-                raise SystemExit("The program has ended.")
+            use(program, home)
+            program.check()
         finally:
             for process in reversed(started):
                 process.terminate()

@@ -1,37 +1,46 @@
 //! `cargo xtask check`: what a change must satisfy besides the tests.
 
-use crate::step::{cargo, run, step};
-use crate::tools;
+use crate::licenses;
+use crate::prerequisites::{self, Needs};
+use crate::step::{cargo, command, run, step};
+use crate::table::Table;
+use crate::tools::{self, CARGO_DENY, TYPOS};
 
-/// Formatting, lints on both platforms, and the mathematics without the user interface.
+/// Bytes on the disk, as measured with `du`.
+const BUILD_BYTES: u64 = 3_000_000_000;
+
+/// Formatting, lints on both platforms, documentation, spelling and licenses. What fails hides nothing that follows.
 pub(crate) fn run_all() -> Result<(), String> {
-    tools::add_target()?;
-    step("Formatting", || run(&mut cargo(&["fmt", "--all", "--check"])))?;
-    step("The mathematics and the formats without the user interface", || {
-        run(&mut cargo(&[
-            "check",
-            "--locked",
-            "--package",
-            "depth-calculator",
-            "--no-default-features",
-            "--lib",
-        ]))
+    prerequisites::check(Needs {
+        node: false,
+        build_bytes: BUILD_BYTES,
     })?;
-    step("Lints, desktop", || {
-        run(&mut cargo(&[
-            "clippy",
-            "--locked",
-            "--workspace",
-            "--all-targets",
-            "--",
-            "--deny",
-            "warnings",
-        ]))
-    })?;
-    step("Lints, web page", || {
-        let target = ["--target", "wasm32-unknown-unknown"];
-        run(cargo(&["clippy", "--locked", "--package", "depth-calculator", "--lib", "--bins"])
-            .args(target)
-            .args(["--", "--deny", "warnings"]))
-    })
+    const PROGRAM: [&str; 3] = ["--locked", "--package", "depth-calculator"];
+    const DENY: [&str; 3] = ["--", "--deny", "warnings"];
+    let mut table = Table::default();
+    let mut check = |what: &str, work: &dyn Fn() -> Result<(), String>| table.run(what, || step(what, work));
+
+    check("formatting", &|| run(&mut cargo(&["fmt", "--all", "--check"])));
+    check("the mathematics and the formats alone", &|| {
+        run(cargo(&["check"]).args(PROGRAM).args(["--no-default-features", "--lib"]))
+    });
+    check("lints, desktop, tests and benches", &|| {
+        run(cargo(&["clippy", "--locked", "--workspace", "--all-targets"]).args(DENY))
+    });
+    check("lints, web page", &|| {
+        tools::add_target()?;
+        let page = ["--lib", "--bins", "--target", "wasm32-unknown-unknown"];
+        run(cargo(&["clippy"]).args(PROGRAM).args(page).args(DENY))
+    });
+    check("documentation", &|| {
+        let doc = ["doc", "--locked", "--workspace", "--no-deps", "--document-private-items"];
+        run(cargo(&doc).env("RUSTDOCFLAGS", "--deny warnings"))
+    });
+    check("spelling", &|| run(&mut command(TYPOS.find_or_install()?, &[])));
+    check("list of licenses", &licenses::check);
+    check("licenses, bans and sources of the crates", &|| {
+        let deny = ["deny", "--locked", "check", "licenses", "bans", "sources"];
+        run(&mut command(CARGO_DENY.find_or_install()?, &deny))
+    });
+    table.finish(true)
 }

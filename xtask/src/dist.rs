@@ -3,11 +3,19 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::prerequisites::{self, Needs};
 use crate::step::{command, output, root, run, step};
 use crate::{site, tools};
 
+/// Bytes on the disk, as measured with `du`.
+pub(crate) const BUILD_BYTES: u64 = 2_000_000_000;
+
 /// Builds the page and prints the size of every file.
 pub(crate) fn print() -> Result<(), String> {
+    prerequisites::check(Needs {
+        node: false,
+        build_bytes: BUILD_BYTES,
+    })?;
     let dist = build()?;
     let mut files = Vec::new();
     collect_files(&dist, &mut files).map_err(|error| format!("dist/ cannot be read: {error}."))?;
@@ -43,12 +51,12 @@ fn cell(size: Option<&u64>) -> String {
 
 /// Builds the page into dist/, whose path it returns.
 pub(crate) fn build() -> Result<PathBuf, String> {
-    let path = tools::set_up()?;
+    let (trunk, path) = tools::for_page()?;
     tools::fetch_crates()?;
-    step("Build the page (3 to 6 minutes on two cores the first time)", || {
-        let mut trunk = command("trunk", &["build", "--release", "--offline", "--skip-version-check"]);
-        if let Some(flag) = nameless_crates() {
-            trunk.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", flag);
+    step("Build the page (2 to 4 minutes on two cores the first time)", || {
+        let mut trunk = command(trunk, &["build", "--release", "--offline", "--skip-version-check"]);
+        if let Some(flags) = nameless(&[(cargo_home(), "cargo")]) {
+            trunk.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", flags);
         }
         // Trunk takes NO_COLOR=1, which is how others understand it, for a mistake.
         run(trunk.env("PATH", &path).env_remove("NO_COLOR"))?;
@@ -59,13 +67,28 @@ pub(crate) fn build() -> Result<PathBuf, String> {
     })
 }
 
-/// The flag that keeps the folder of the crates, and with it the name of whoever builds, out of the program's panic messages.
-fn nameless_crates() -> Option<String> {
-    let cargo_home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
-    let folder = cargo_home.or_else(|| Some(std::env::home_dir()?.join(".cargo")))?;
-    let folder = folder.to_str()?;
-    // Cargo would cut it in two at a space.
-    (!folder.contains(' ')).then(|| format!("--remap-path-prefix={folder}=cargo"))
+/// Where cargo keeps the crates.
+pub(crate) fn cargo_home() -> Option<PathBuf> {
+    let named = std::env::var_os("CARGO_HOME").map(PathBuf::from);
+    named.or_else(|| Some(std::env::home_dir()?.join(".cargo")))
+}
+
+/// The flags that keep folders of this computer, and with them the name of whoever builds, out of the program's panic
+/// messages: each is called by the word beside it. `None` where cargo would cut a folder in two at its space.
+pub(crate) fn nameless(folders: &[(Option<PathBuf>, &str)]) -> Option<String> {
+    let flags = folders.iter().filter_map(|(folder, word)| Some((folder.as_ref()?, word)));
+    let flags: Vec<String> = flags
+        .map(|(folder, word)| format!("--remap-path-prefix={}={word}", folder.display()))
+        .collect();
+    (!flags.iter().any(|flag| flag.contains(' '))).then(|| flags.join(" "))
+}
+
+/// The commit that is built, short; with a plus where files differ from it. `None` outside a repository.
+pub(crate) fn commit() -> Option<String> {
+    let git = |arguments: &[&str]| output(&mut command("git", arguments));
+    let commit = git(&["rev-parse", "--short=12", "HEAD"])?;
+    let changed = git(&["status", "--porcelain", "--untracked-files=no"]).is_some_and(|changes| !changes.is_empty());
+    Some(if changed { format!("{commit}+") } else { commit })
 }
 
 /// Tells the page how large its program is: a host that compresses does not say so, and the bar needs an end.

@@ -1,54 +1,89 @@
 //! The commands that build, serve and test Depth Calculator: `cargo xtask` lists them.
 
+mod apt;
 mod browsers;
 mod check;
-mod debian;
 mod desktop;
 mod dist;
+mod licenses;
 mod lighthouse;
+mod package;
+mod prerequisites;
 mod serve;
 mod site;
 mod size;
 mod step;
+mod table;
 mod test;
 mod tools;
 
+use clap::{Parser, Subcommand, ValueEnum};
 use std::process::ExitCode;
 
-const HELP: &str = "\
-Builds, serves and tests Depth Calculator. Every command sets up what it needs first.
+/// Builds, serves and tests Depth Calculator. Every command sets up what it needs first.
+#[derive(Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask", arg_required_else_help = true)]
+#[command(after_help = "The desktop program needs none of them: cargo run --release")]
+struct Xtask {
+    #[command(subcommand)]
+    command: Task,
+}
 
-  cargo xtask serve [--port 8080]   build the page and serve it on this computer
-  cargo xtask test                  all tests, also those of size and in Chromium, Firefox and WebKit
-  cargo xtask check                 formatting, lints, and that the mathematics builds alone
-  cargo xtask dist                  build the page into dist/, for any static host
-  cargo xtask size                  what a first visit downloads, against its budget
-  cargo xtask lighthouse            what Lighthouse says about the page, against its floors
+#[derive(Subcommand)]
+enum Task {
+    /// Build the page and serve it on this computer
+    Serve {
+        /// Where it is served: http://127.0.0.1:PORT/
+        #[arg(long, default_value_t = 8080, value_parser = clap::value_parser!(u16).range(1..))]
+        port: u16,
+    },
+    /// Run all tests, or only some: in Rust, of the desktop program, of size, and in Chromium, Firefox and WebKit
+    Test(test::Options),
+    /// Formatting, lints, documentation, spelling, licenses, and that the mathematics builds alone
+    Check,
+    /// Build what is given away: the page into dist/, for any static host, or the archive of the desktop program
+    Dist {
+        #[arg(value_enum, default_value_t = What::Page)]
+        what: What,
+        /// Build the desktop program for another kind of computer
+        #[arg(long, value_name = "TRIPLE")]
+        target: Option<String>,
+    },
+    /// What a first visit downloads, against its budget
+    Size,
+    /// What Lighthouse says about the page, against its floors
+    Lighthouse {
+        /// Audits for each device; the median counts
+        #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..))]
+        runs: u32,
+        #[command(flatten)]
+        places: browsers::Places,
+    },
+    /// Write assets/licenses.txt anew, after the crates have changed
+    Licenses,
+}
 
-The desktop program needs none of them: cargo run --release
-";
-
-const DEFAULT_PORT: u16 = 8080;
+#[derive(Clone, Copy, ValueEnum)]
+enum What {
+    /// The web page; the environment variable SITE_URL says where it will be
+    Page,
+    /// The desktop program
+    Desktop,
+}
 
 fn main() -> ExitCode {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    let outcome = match words.as_slice() {
-        [] | ["help" | "-h" | "--help"] => {
-            print!("{HELP}");
-            Ok(())
-        }
-        ["serve"] => serve::run(DEFAULT_PORT),
-        ["serve", "--port", port] => match port.parse() {
-            Ok(port) => serve::run(port),
-            Err(_not_a_port) => Err(format!("A port is a number from 1 to 65535, not \"{port}\".")),
-        },
-        ["test"] => test::run_all(),
-        ["check"] => check::run_all(),
-        ["dist"] => dist::print(),
-        ["size"] => dist::build().and_then(|dist| size::check(&dist)),
-        ["lighthouse"] => lighthouse::audit(),
-        other => Err(format!("There is no command \"{}\".\n\n{HELP}", other.join(" "))),
+    let outcome = match Xtask::parse().command {
+        Task::Serve { port } => serve::run(port),
+        Task::Test(options) => test::run_chosen(&options),
+        Task::Check => check::run_all(),
+        Task::Dist { what: What::Page, .. } => dist::print(),
+        Task::Dist {
+            what: What::Desktop,
+            target,
+        } => package::desktop(target.as_deref()),
+        Task::Size => dist::build().and_then(|dist| size::check(&dist)),
+        Task::Lighthouse { runs, places } => lighthouse::audit(runs, &places),
+        Task::Licenses => licenses::write(),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

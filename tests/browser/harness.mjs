@@ -1,0 +1,37 @@
+// `it`, as node's test runner has it, with two more options: in which engines a test runs, and what an engine must be able to do.
+
+import { after as nodeAfter, before as nodeBefore, test } from 'node:test';
+import { ENGINES } from './engines/index.mjs';
+import { settings } from './settings.mjs';
+
+/** For what no engine can do in another way than the others: texts, the program's own decisions, rules about HTML. */
+export const ONE_ENGINE = ['chromium'];
+
+const engine = ENGINES[settings.engine];
+/** Names of the tests of the file that is being read, while tests are listed. */
+export const listed = [];
+
+export const before = settings.lists ? () => {} : nodeBefore;
+export const after = settings.lists ? () => {} : nodeAfter;
+
+/** Why the chosen engine cannot do this (a name in `cannot` of an engine), false if it can. */
+export function unless(ability) {
+  const reason = engine.cannot[ability];
+  return reason !== undefined && `${settings.engine} cannot ${ability}: ${reason}`;
+}
+
+/**
+ * A test. `engines`: where it runs, everywhere if absent; elsewhere it does not exist. `needs`: what an engine must be able to do;
+ * where it cannot, the test is left out by name.
+ */
+export function it(name, ...rest) {
+  const run = rest.pop();
+  const { engines, needs = [] } = rest.pop() ?? {};
+  if (settings.lists) {
+    listed.push(name);
+    return;
+  }
+  if (engines && !engines.includes(settings.engine)) return;
+  if (settings.names.length > 0 && !settings.names.includes(name)) return;
+  test(name, { skip: needs.map(unless).find(Boolean) ?? false }, run);
+}
