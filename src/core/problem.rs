@@ -253,8 +253,17 @@ impl Problem {
             Ok(model) if model.relative_sigma() == 0.0 => None,
             Ok(model) => Some(Ok(Known::new(model))),
             Err(Unusable::Sigma(field) | Unusable::Value(field)) => Some(Err(field)),
-            Err(Unusable::Distance) => Some(Err(Field::FocalLength)),
+            Err(Unusable::Distance) => Some(Err(self.least_certain(method))),
         }
+    }
+
+    /// The input of `method` with the largest σ for its value.
+    fn least_certain(&self, method: Method) -> Field {
+        let relative = |field: Field| self.measured(field).map_or(0.0, Measured::relative);
+        let [first, others @ ..] = method.fields();
+        others
+            .into_iter()
+            .fold(first, |worst, field| if relative(field) > relative(worst) { field } else { worst })
     }
 
     fn solve_method(&self, method: Method) -> Outcome {
