@@ -735,7 +735,7 @@ fn pixels_hint(field: Field, unit: LengthUnit) -> String {
 
 fn usual_range_text(field: Field) -> &'static str {
     match field {
-        Field::FocalLength => "50 and 20 000 px",
+        Field::FocalLength => "50 and 20000 px",
         Field::Baseline => "5 mm and 5 m",
         Field::Disparity => "0.5 and 1000 px",
         Field::Doffs => "−1000 and 1000 px",

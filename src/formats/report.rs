@@ -345,9 +345,11 @@ pub fn unknown(unknown: &Unknown, unit: Option<LengthUnit>) -> String {
 
 /// Whether both distances agree, in a sentence.
 pub fn agreement_sentence(agreement: &Agreement) -> String {
-    let z = agreement
-        .z
-        .map_or_else(String::new, |z| format!(" ({} σ apart)", significant(z, 2)));
+    let z = agreement.z.map_or_else(String::new, |z| {
+        // What is left of a difference by rounding is none.
+        let z = if z < 10.0 { format!("{z:.1}") } else { significant(z, 2) };
+        format!(" ({z} σ apart)")
+    });
     match agreement.verdict {
         Some(Verdict::Agree) => format!("Stereo and monocular agree within their uncertainties{z}."),
         Some(Verdict::Doubtful) => format!("Stereo and monocular hardly agree{z}: one case in twenty, if the uncertainties are right."),
@@ -426,6 +428,19 @@ mod tests {
             values.get(..4),
             Some(&[("700", "pixels"), ("0.1", "meters"), ("50", "pixels"), (NO_NUMBER, "pixels")][..])
         );
+    }
+
+    #[test]
+    fn distances_that_only_rounding_tells_apart_are_not_apart() {
+        for (z, expected) in [(5e-15, "(0.0 σ apart)"), (1.56, "(1.6 σ apart)"), (12.3, "(12 σ apart)")] {
+            let sentence = agreement_sentence(&Agreement {
+                ratio: Some(1.0),
+                z: Some(z),
+                verdict: Some(Verdict::of(z)),
+                suspects: Vec::new(),
+            });
+            assert!(sentence.contains(expected), "{sentence}");
+        }
     }
 
     #[test]
