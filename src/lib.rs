@@ -5,7 +5,7 @@
 //! 1. [`core`]: the mathematics.
 //! 2. [`formats`]: text in and out.
 //! 3. `app`: the egui application, the same on every platform and under test.
-//! 4. `cli`: the command line of the desktop program.
+//! 4. `cli`: the command line; it builds without floor 3.
 //! 5. `platform`: the entry points of the web page and the desktop program.
 //!
 //! ```
@@ -23,7 +23,7 @@
 
 #[cfg(feature = "app")]
 pub mod app;
-#[cfg(all(feature = "app", not(target_arch = "wasm32")))]
+#[cfg(all(feature = "cli", not(target_arch = "wasm32")))]
 pub mod cli;
 pub mod core;
 pub mod formats;

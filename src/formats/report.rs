@@ -185,7 +185,7 @@ pub fn report(inputs: &Inputs, assessment: &Assessment, unit: LengthUnit) -> Str
 }
 
 /// The results, a line each: rounded in `unit`, and with every digit.
-pub fn results(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
+fn results(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
     let solution = &assessment.solution;
     let mut lines = Vec::new();
     for method in Method::ALL {
@@ -285,7 +285,7 @@ pub fn interval(known: &Known, unit: LengthUnit) -> String {
 }
 
 /// The decimals that show two digits of `sigma`, and at least two of `value`.
-fn decimals_beside(value: f64, sigma: f64) -> i32 {
+pub(crate) fn decimals_beside(value: f64, sigma: f64) -> i32 {
     (1 - number::magnitude(sigma)).max(1 - number::magnitude(value))
 }
 

@@ -8,7 +8,7 @@ const NAME: &str = "Depth Calculator";
 
 /// With arguments answers on the terminal; without any opens the window and runs until it is closed.
 pub fn main() -> ExitCode {
-    if std::env::args_os().len() > 1 {
+    if crate::cli::is_asked() {
         return crate::cli::main();
     }
     let options = eframe::NativeOptions {

@@ -27,6 +27,10 @@ pub(crate) fn run_all() -> Result<(), String> {
     check("lints, desktop, tests and benches", &|| {
         run(cargo(&["clippy", "--locked", "--workspace", "--all-targets"]).args(DENY))
     });
+    check("lints, the command line without the window", &|| {
+        let cli = ["--no-default-features", "--features", "cli", "--lib", "--bins"];
+        run(cargo(&["clippy"]).args(PROGRAM).args(cli).args(DENY))
+    });
     check("lints, web page", &|| {
         tools::add_target()?;
         let page = ["--lib", "--bins", "--target", "wasm32-unknown-unknown"];
