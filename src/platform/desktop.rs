@@ -1,6 +1,7 @@
 //! The desktop program: one window, its icon, and a file for what was entered.
 
 use crate::app::{App, Platform};
+use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -28,10 +29,22 @@ pub fn main() -> ExitCode {
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("depth-calculator: the window could not be opened: {error}. It needs a desktop with OpenGL 2 or newer.");
+            let reason = error.to_string();
+            let _ = writeln!(
+                std::io::stderr(),
+                "depth-calculator: The window could not be opened: {}. It needs a desktop with OpenGL 2 or newer; in a terminal use: depth-calculator calculate --help",
+                without_source_line(&reason).trim_end_matches('.')
+            );
             ExitCode::FAILURE
         }
     }
+}
+
+/// `reason` without what winit writes in front of it, the line of its own source that noticed.
+fn without_source_line(reason: &str) -> &str {
+    reason.split_once(".rs:").map_or(reason, |(_, rest)| {
+        rest.trim_start_matches(|c: char| c.is_ascii_digit() || c == ':' || c == ' ')
+    })
 }
 
 fn icon() -> Option<egui::IconData> {
