@@ -34,6 +34,9 @@ impl Platform for Machine {
     fn save(&mut self, _text: &str) -> Result<(), String> {
         Ok(())
     }
+    fn set_aside(&mut self) -> Result<Option<String>, String> {
+        Ok(None)
+    }
     fn copy(&mut self, _ctx: &egui::Context, _text: String) {}
     fn copied(&mut self) -> Option<Result<(), String>> {
         None

@@ -13,14 +13,16 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 /// A machine whose storage and clipboard can be looked at.
 #[derive(Clone, Default)]
 struct Machine {
     stored: Rc<RefCell<Option<String>>>,
-    set_aside: Rc<RefCell<Option<String>>>,
+    /// What has been set aside, and whether there is room for more.
+    set_aside: Rc<RefCell<Vec<String>>>,
+    is_full: Rc<Cell<bool>>,
     clipboard: Rc<RefCell<Option<String>>>,
     copied: Rc<RefCell<Option<Result<(), String>>>>,
     link: Rc<RefCell<Option<String>>>,
@@ -42,9 +44,12 @@ impl Platform for Machine {
         *self.stored.borrow_mut() = Some(text.to_owned());
         Ok(())
     }
-    fn set_aside(&mut self, text: &str) -> Result<(), String> {
-        *self.set_aside.borrow_mut() = Some(text.to_owned());
-        Ok(())
+    fn set_aside(&mut self) -> Result<Option<String>, String> {
+        if self.broken || self.is_full.get() {
+            return Err("Storage is full.".into());
+        }
+        self.set_aside.borrow_mut().extend(self.stored.take());
+        Ok(Some("on the shelf".to_owned()))
     }
     fn copy(&mut self, ctx: &egui::Context, text: String) {
         *self.clipboard.borrow_mut() = Some(text);
@@ -861,11 +866,29 @@ fn what_can_be_below_zero_is_not_given_a_keyboard_without_minus() {
 }
 
 #[test]
-fn a_state_that_cannot_be_read_is_set_aside() {
+fn a_state_that_cannot_be_read_is_set_aside_and_its_place_is_named() {
     let machine = Machine::default();
     *machine.stored.borrow_mut() = Some("{\"version\":999}".into());
     let mut program = Program::on(machine.clone(), DESKTOP);
-    assert!(program.says("The old text is kept"));
+    assert!(program.says("starts fresh. The old text is kept on the shelf."));
     program.mug();
-    assert_eq!(machine.set_aside.borrow().as_deref(), Some("{\"version\":999}"));
+    assert_eq!(*machine.set_aside.borrow(), ["{\"version\":999}"]);
+    assert!(machine.stored.borrow().as_deref().unwrap().contains("700"));
+}
+
+#[test]
+fn a_state_that_cannot_be_set_aside_is_not_overwritten_either() {
+    let machine = Machine::default();
+    *machine.stored.borrow_mut() = Some("{\"version\":999}".into());
+    machine.is_full.set(true);
+    let mut program = Program::on(machine.clone(), DESKTOP);
+    assert!(program.says("starts fresh. Storage is full. The program works, but forgets"));
+    program.mug();
+    assert_eq!(machine.stored.borrow().as_deref(), Some("{\"version\":999}"));
+
+    machine.is_full.set(false);
+    program.type_into(D, "100");
+    assert!(program.says("The old text is kept on the shelf."));
+    assert_eq!(*machine.set_aside.borrow(), ["{\"version\":999}"]);
+    assert!(machine.stored.borrow().as_deref().unwrap().contains("700"));
 }

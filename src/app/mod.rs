@@ -40,14 +40,12 @@ pub trait Platform {
     /// A sentence saying why not.
     fn save(&mut self, text: &str) -> Result<(), String>;
 
-    /// Keeps a stored text that cannot be read, apart from what [`Self::save`] stores: it may be of a newer version.
+    /// Moves what is stored, which cannot be read, to where nothing is overwritten, now or later: it may be of a newer version.
+    /// Returns where a person finds it, as the end of a sentence ("in the file …"), or nothing where nothing is stored.
     ///
     /// # Errors
-    /// A sentence saying why not.
-    fn set_aside(&mut self, text: &str) -> Result<(), String> {
-        let _ = text;
-        Err("There is no place for it.".to_owned())
-    }
+    /// A sentence saying why not. What is stored is then still in its place.
+    fn set_aside(&mut self) -> Result<Option<String>, String>;
 
     /// Starts putting `text` on the clipboard; the outcome comes later from [`Self::copied`].
     fn copy(&mut self, ctx: &egui::Context, text: String);
@@ -85,6 +83,8 @@ pub struct App {
     settings: Settings,
     /// What is in storage, to write only what changed.
     stored: Saved,
+    /// What is in storage could not be read and is still there. Nothing is written over it.
+    is_in_the_way: bool,
     history: History,
     calculator: Calculator,
     notice: Option<Notice>,
@@ -95,52 +95,50 @@ pub struct App {
 
 impl App {
     /// The application with the state that `platform` has stored.
-    pub fn new(cc: &eframe::CreationContext<'_>, mut platform: Box<dyn Platform>) -> Self {
+    pub fn new(cc: &eframe::CreationContext<'_>, platform: Box<dyn Platform>) -> Self {
         let ctx = &cc.egui_ctx;
         theme::install(ctx);
-        let notice = |text: &str| {
-            Some(Notice {
-                text: text.to_owned(),
-                action: None,
-            })
-        };
-        let (saved, notice) = match platform.load() {
+        let (saved, unread) = match platform.load() {
             Ok(None) => (Saved::default(), None),
             Ok(Some(text)) => match Saved::from_text(&text) {
                 Some(saved) => (saved, None),
-                None => {
-                    let kept = platform.set_aside(&text);
-                    (
-                        Saved::default(),
-                        notice(match kept {
-                            Ok(()) => {
-                                "What was stored last time could not be read, or is of another version, so the program starts fresh. The old text is kept beside the new one."
-                            }
-                            Err(_) => "What was stored last time could not be read, or is of another version, so the program starts fresh.",
-                        }),
-                    )
-                }
+                None => (
+                    Saved::default(),
+                    Some("What was stored last time could not be read, or is of another version, so the program starts fresh.".to_owned()),
+                ),
             },
-            Err(reason) => (
-                Saved::default(),
-                notice(&format!(
-                    "{reason} The program works, but forgets what you enter when it is closed: copy your results to keep them."
-                )),
-            ),
+            Err(reason) => (Saved::default(), Some(reason)),
         };
         ctx.set_theme(saved.settings.theme);
-        let app = Self {
+        let mut app = Self {
             platform,
             sheet: Sheet::new(saved.inputs.clone()),
             settings: saved.settings.clone(),
             history: History::new(saved.inputs.clone()),
             stored: saved,
             calculator: Calculator::default(),
-            notice,
+            notice: None,
             lists_keys: false,
             forced_colors: None,
             pending: Vec::new(),
+            is_in_the_way: unread.is_some(),
         };
+        if let Some(reason) = unread
+            && let Err(obstacle) = app.make_room(&reason)
+        {
+            // Often the same.
+            let obstacle = if obstacle == reason {
+                String::new()
+            } else {
+                format!(" {obstacle}")
+            };
+            app.say(
+                &format!(
+                    "{reason}{obstacle} The program works, but forgets what you enter when it is closed: copy your results to keep them."
+                ),
+                None,
+            );
+        }
         app.focus_first_field(ctx);
         app
     }
@@ -265,6 +263,18 @@ impl App {
         self.stored.inputs == self.sheet.inputs && self.stored.settings == self.settings
     }
 
+    /// Moves away what could not be read, for `reason`, and says where it is.
+    fn make_room(&mut self, reason: &str) -> Result<(), String> {
+        if self.is_in_the_way {
+            let kept = self.platform.set_aside()?;
+            self.is_in_the_way = false;
+            if let Some(place) = kept {
+                self.say(&format!("{reason} The old text is kept {place}."), None);
+            }
+        }
+        Ok(())
+    }
+
     /// Writes what changed. A failure is said once.
     fn store(&mut self) {
         if self.is_stored() {
@@ -274,7 +284,10 @@ impl App {
             inputs: self.sheet.inputs.clone(),
             settings: self.settings.clone(),
         };
-        let outcome = self.stored.to_text().and_then(|text| self.platform.save(&text));
+        let outcome = self
+            .make_room("There is room again for what you enter.")
+            .and_then(|()| self.stored.to_text())
+            .and_then(|text| self.platform.save(&text));
         if let Err(reason) = outcome {
             self.say(
                 &format!("{reason} What you enter now may be gone after a restart: copy your results to keep them."),

@@ -1,7 +1,9 @@
 //! The desktop program: one window, its icon, and a file for what was entered.
 
+mod state;
+
 use crate::app::{App, Platform};
-use std::path::PathBuf;
+use state::State;
 use std::process::ExitCode;
 
 const NAME: &str = "Depth Calculator";
@@ -35,7 +37,7 @@ pub fn main() -> ExitCode {
 }
 
 fn icon() -> Option<egui::IconData> {
-    let mut reader = png::Decoder::new(std::io::Cursor::new(include_bytes!("../../assets/icons/icon-256.png")))
+    let mut reader = png::Decoder::new(std::io::Cursor::new(include_bytes!("../../../assets/icons/icon-256.png")))
         .read_info()
         .ok()?;
     let mut rgba = vec![0; reader.output_buffer_size()?];
@@ -47,49 +49,32 @@ fn icon() -> Option<egui::IconData> {
     })
 }
 
-/// Keeps the state in a file of the user's configuration folder, and copies through egui.
+/// Keeps the state in its file, and copies through egui.
 struct Desktop {
-    file: Result<PathBuf, String>,
+    state: State,
     copied: bool,
 }
 
 impl Default for Desktop {
     fn default() -> Self {
-        let file = directories::ProjectDirs::from("", "", "depth-calculator")
-            .map(|folders| folders.config_dir().join("state-v1.json"))
-            .ok_or_else(|| "There is no home folder to store anything in.".to_owned());
-        Self { file, copied: false }
+        Self {
+            state: State::within(state::folder()),
+            copied: false,
+        }
     }
 }
 
 impl Platform for Desktop {
     fn load(&self) -> Result<Option<String>, String> {
-        let file = self.file.as_ref().map_err(Clone::clone)?;
-        match std::fs::read(file) {
-            // What is not text is as corrupt as text that is not a state.
-            Ok(bytes) => Ok(Some(String::from_utf8_lossy(&bytes).into_owned())),
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
-            Err(error) => Err(format!("What was stored in {} cannot be read: {error}.", file.display())),
-        }
+        self.state.load()
     }
 
     fn save(&mut self, text: &str) -> Result<(), String> {
-        let file = self.file.as_ref().map_err(Clone::clone)?;
-        let write = || {
-            if let Some(folder) = file.parent() {
-                std::fs::create_dir_all(folder)?;
-            }
-            // Written beside and moved over, so that a crash leaves the old state or the new one, never half of it.
-            let beside = file.with_extension("new");
-            std::fs::write(&beside, text)?;
-            std::fs::rename(&beside, file)
-        };
-        write().map_err(|error| format!("What you entered cannot be stored in {}: {error}.", file.display()))
+        self.state.save(text)
     }
 
-    fn set_aside(&mut self, text: &str) -> Result<(), String> {
-        let file = self.file.as_ref().map_err(Clone::clone)?;
-        std::fs::write(file.with_extension("old"), text).map_err(|error| format!("{error}."))
+    fn set_aside(&mut self) -> Result<Option<String>, String> {
+        self.state.set_aside()
     }
 
     fn copy(&mut self, ctx: &egui::Context, text: String) {
