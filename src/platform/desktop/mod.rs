@@ -1,10 +1,13 @@
 //! The desktop program: one window, its icon, and a file for what was entered.
 
+mod failure;
 mod state;
 
 use crate::app::{App, Platform};
 use state::State;
 use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 const NAME: &str = "Depth Calculator";
 
@@ -22,15 +25,20 @@ pub fn main() -> ExitCode {
             .with_icon(icon().unwrap_or_default()),
         ..Default::default()
     };
-    let outcome = eframe::run_native(
-        NAME,
-        options,
-        Box::new(|cc| Ok(Box::new(App::new(cc, Box::new(Desktop::default()))))),
-    );
-    match outcome {
+    let is_open = Arc::new(AtomicBool::new(false));
+    let opened = Arc::clone(&is_open);
+    let run = move || {
+        let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
+            let app = App::new(cc, Box::new(Desktop::default()));
+            opened.store(true, Ordering::Relaxed);
+            Box::new(app)
+        };
+        eframe::run_native(NAME, options, Box::new(move |cc| Ok(open(cc))))
+    };
+    match failure::heard(run, move || is_open.load(Ordering::Relaxed)) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("depth-calculator: the window could not be opened: {error}. It needs a desktop with OpenGL 2 or newer.");
+        Err(failure) => {
+            failure::show(&failure);
             ExitCode::FAILURE
         }
     }
