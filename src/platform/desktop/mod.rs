@@ -1,9 +1,11 @@
 //! The desktop program: one window, its icon, and a file for what was entered.
 
 mod failure;
+mod placement;
 mod state;
 
 use crate::app::{App, Platform};
+use placement::PlacedApp;
 use state::State;
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -16,13 +18,15 @@ pub fn main() -> ExitCode {
     if std::env::args_os().len() > 1 {
         return crate::cli::main();
     }
+    let placement = placement::load();
+    let window = egui::ViewportBuilder::default()
+        .with_title(NAME)
+        // Also the class of the window on X11: assets/linux/depth-calculator.desktop names it.
+        .with_app_id("depth-calculator")
+        .with_min_inner_size(placement::LEAST)
+        .with_icon(icon().unwrap_or_default());
     let options = eframe::NativeOptions {
-        viewport: egui::ViewportBuilder::default()
-            .with_title(NAME)
-            .with_app_id("depth-calculator")
-            .with_inner_size([1280.0, 900.0])
-            .with_min_inner_size([360.0, 480.0])
-            .with_icon(icon().unwrap_or_default()),
+        viewport: placement.apply(window),
         ..Default::default()
     };
     let is_open = Arc::new(AtomicBool::new(false));
@@ -30,8 +34,11 @@ pub fn main() -> ExitCode {
     let run = move || {
         let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
             let app = App::new(cc, Box::new(Desktop::default()));
+            if let Some(window) = cc.winit_window() {
+                placement.settle(window);
+            }
             opened.store(true, Ordering::Relaxed);
-            Box::new(app)
+            Box::new(PlacedApp::new(app, placement))
         };
         eframe::run_native(NAME, options, Box::new(move |cc| Ok(open(cc))))
     };
