@@ -1,5 +1,7 @@
 //! The desktop program: one window, its icon, and a file for what was entered.
 
+#[cfg(all(windows, not(debug_assertions)))]
+mod console;
 mod failure;
 mod placement;
 mod state;
@@ -17,6 +19,10 @@ const NAME: &str = "Depth Calculator";
 pub fn main() -> ExitCode {
     if std::env::args_os().len() > 1 {
         return crate::cli::main();
+    }
+    #[cfg(all(windows, not(debug_assertions)))]
+    if console::leave() {
+        return ExitCode::SUCCESS;
     }
     let placement = placement::load();
     let window = egui::ViewportBuilder::default()
