@@ -1,5 +1,6 @@
 //! Floor 3: the egui application, the same in a browser, in a window and under test.
 
+mod about;
 mod calculator;
 mod command;
 mod learn;
@@ -13,7 +14,7 @@ use crate::core::problem::Field;
 use crate::formats::inputs::{Inputs, Severity};
 use crate::formats::{link, number, report};
 use calculator::Calculator;
-use command::Command;
+use command::{Command, Dialog};
 use egui::accesskit::Role;
 use egui::{Align, Button, CentralPanel, Frame, Margin, Panel, RichText, Stroke, ThemePreference, Ui, UiBuilder, vec2};
 use saved::{Saved, Screen, Settings};
@@ -63,10 +64,26 @@ pub trait Platform {
         None
     }
 
+    /// The commit that the program was built from, where that is known.
+    fn commit(&self) -> Option<String>;
+
+    /// The licenses of the program and of everything in it.
+    fn licenses(&self) -> Licenses;
+
     /// The part behind the `#` of a link that was followed to the program, once.
     fn link(&mut self) -> Option<String> {
         None
     }
+}
+
+/// Where the licenses of everything in the program are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Licenses {
+    /// Here, as lines of text.
+    #[cfg(not(target_arch = "wasm32"))]
+    Text(&'static str),
+    /// On a page with this address.
+    Page(&'static str),
 }
 
 /// A sentence about what just happened, with what can be done about it.
@@ -88,7 +105,8 @@ pub struct App {
     history: History,
     calculator: Calculator,
     notice: Option<Notice>,
-    lists_keys: bool,
+    /// What stands over the screen.
+    dialog: Option<Dialog>,
     forced_colors: Option<SystemColors>,
     pending: Vec<Command>,
 }
@@ -118,7 +136,7 @@ impl App {
             stored: saved,
             calculator: Calculator::default(),
             notice: None,
-            lists_keys: false,
+            dialog: None,
             forced_colors: None,
             pending: Vec::new(),
             is_in_the_way: unread.is_some(),
@@ -220,7 +238,7 @@ impl App {
                 ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(field)));
             }
             Command::DragDisparity(disparity) => self.sheet.inputs.entry_mut(Field::Disparity).text = number::plain(disparity),
-            Command::ListKeys(shown) => self.lists_keys = shown,
+            Command::ShowDialog(dialog) => self.dialog = dialog,
             Command::Help(helper) => self.calculator.helper = helper,
             Command::PrincipalPoint(cx, cy) => calculator::geometry::set_principal_point(&mut self.settings.texts, cx, cy),
             Command::ShowGeometry(shown) => self.settings.shows_geometry = shown,
@@ -386,8 +404,10 @@ impl eframe::App for App {
                 });
             }
         });
-        if self.lists_keys {
-            shortcuts::list(ui, layout, &mut commands);
+        match self.dialog {
+            Some(Dialog::Keys) => shortcuts::list(ui, layout, &mut commands),
+            Some(Dialog::About) => about::show(ui, layout, &*self.platform, &mut commands),
+            None => {}
         }
         focus_ring(ui);
         // At once: some browsers allow it only while they handle the click, and that of a pointer is when eframe runs this pass.
@@ -472,7 +492,7 @@ fn navigation(ui: &mut Ui, layout: Layout, screen: Screen, theme_preference: The
         ui.add_space((ui.available_width() - 2.0 * side - ui.spacing().item_spacing.x).max(0.0));
         let keys = Button::new("?").min_size(vec2(side, side));
         if ui.add(keys).accessible_name("Keys").clicked() {
-            commands.push(Command::ListKeys(true));
+            commands.push(Command::ShowDialog(Some(Dialog::Keys)));
         }
         theme_choice(ui, layout, theme_preference, commands);
     });

@@ -6,7 +6,7 @@ mod failure;
 mod placement;
 mod state;
 
-use crate::app::{App, Platform};
+use crate::app::{App, Licenses, Platform};
 use placement::PlacedApp;
 use state::State;
 use std::process::ExitCode;
@@ -102,6 +102,18 @@ impl Platform for Desktop {
         ctx.copy_text(text);
         self.copied = true;
         ctx.request_repaint();
+    }
+
+    fn commit(&self) -> Option<String> {
+        // Set by whoever builds a release.
+        option_env!("DEPTH_CALCULATOR_COMMIT")
+            .filter(|commit| !commit.is_empty())
+            .map(str::to_owned)
+    }
+
+    fn licenses(&self) -> Licenses {
+        // `cargo xtask licenses` writes it.
+        Licenses::Text(include_str!("../../../assets/licenses.txt"))
     }
 
     fn copied(&mut self) -> Option<Result<(), String>> {

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use wasm_bindgen::{JsCast as _, JsValue};
 
-use crate::app::{Platform, SystemColors};
+use crate::app::{Licenses, Platform, SystemColors};
 
 /// Where the state is stored. The number is the version of the form; one origin may serve several programs.
 pub(super) const STORAGE_KEY: &str = "depth-calculator/v1";
@@ -106,6 +106,16 @@ impl Platform for Browser {
             };
         }
         self.forced_colors
+    }
+
+    fn commit(&self) -> Option<String> {
+        let document = web_sys::window()?.document()?;
+        let commit = document.query_selector("meta[name=commit]").ok()??.get_attribute("content")?;
+        (!commit.is_empty()).then_some(commit)
+    }
+
+    fn licenses(&self) -> Licenses {
+        Licenses::Page("licenses.html")
     }
 
     fn link(&mut self) -> Option<String> {
