@@ -5,6 +5,7 @@ use std::env;
 use std::io::IsTerminal as _;
 use std::panic::{AssertUnwindSafe, PanicHookInfo};
 use std::sync::{Arc, Mutex};
+use winit::error::EventLoopError;
 
 /// What keeps the window from opening, or what has ended it.
 #[derive(Debug, PartialEq, Eq)]
@@ -27,6 +28,8 @@ pub enum Failure {
     OldOpenGl,
     /// Anything else before there was a window.
     NoWindow(String),
+    /// The display went away while the window was open.
+    LostDisplay,
     /// An error in the program while its window was open, with its place in the source.
     Stopped { reason: String, place: String },
 }
@@ -36,6 +39,7 @@ impl Failure {
     pub fn of(error: &eframe::Error, environment: impl Fn(&str) -> Option<String>) -> Self {
         let reason = |error: &dyn std::fmt::Display| without_place(&error.to_string());
         match error {
+            eframe::Error::WinitEventLoop(EventLoopError::ExitFailure(_)) => Self::LostDisplay,
             eframe::Error::WinitEventLoop(error) => Self::of_display(reason(error), environment),
             // The template that it was looked for with tells nobody anything.
             eframe::Error::NoGlutinConfigs(_, error) => Self::NoOpenGl(match reason(error).as_str() {
@@ -109,6 +113,10 @@ impl Failure {
             Self::NoWindow(reason) => {
                 format!("The window could not be opened ({reason}): start the program on another desktop, {TERMINAL}.")
             }
+            Self::LostDisplay => {
+                "The display has closed the connection to the program: start it again on a desktop that runs; what you entered before is kept."
+                    .to_owned()
+            }
             Self::Stopped { reason, place } => format!(
                 "The program has stopped because of an error in it ({reason}, {place}): start it again; what you entered before is kept."
             ),
@@ -167,7 +175,7 @@ fn say(failure: &Failure) {
 /// Says it in a box where nobody reads stderr, as after a double click: in the system's own, which needs no OpenGL, on Linux in
 /// that of zenity, where it is installed.
 pub fn show(failure: &Failure) {
-    if !std::io::stderr().is_terminal() && !matches!(failure, Failure::NoDisplay | Failure::SilentDisplay { .. }) {
+    if !std::io::stderr().is_terminal() && !matches!(failure, Failure::NoDisplay | Failure::SilentDisplay { .. } | Failure::LostDisplay) {
         rfd::MessageDialog::new()
             .set_level(rfd::MessageLevel::Error)
             .set_title(super::NAME)
@@ -235,6 +243,7 @@ mod tests {
             Failure::OldOpenGl,
             Failure::before_window("Library libxkbcommon-x11.so could not be loaded".into()),
             Failure::NoWindow("X server missing XInput extension".into()),
+            Failure::LostDisplay,
             Failure::Stopped {
                 reason: "attempt to divide by zero".into(),
                 place: "in src/app/mod.rs at line 7".into(),
@@ -249,7 +258,7 @@ mod tests {
             assert!(!sentence.contains('\n') && sentence.ends_with('.'), "{sentence}");
             assert!(!sentence.contains("..") && !sentence.contains(". "), "{sentence}");
             assert!(sentence.contains(": "), "what to do stands after the colon: {sentence}");
-            if !matches!(failure, Failure::Stopped { .. }) {
+            if !matches!(failure, Failure::LostDisplay | Failure::Stopped { .. }) {
                 assert!(sentence.contains("depth-calculator calculate"), "{sentence}");
             }
             if NAMES_DISPLAYS && matches!(failure, Failure::NoOpenGl(_) | Failure::NoDriver(_) | Failure::OldOpenGl) {

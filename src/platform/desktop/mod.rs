@@ -14,6 +14,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 const NAME: &str = "Depth Calculator";
+/// What a Linux desktop knows the window by: the class on X11, the application's id on Wayland.
+const ID: &str = "depth-calculator";
 
 /// With arguments answers on the terminal; without any opens the window and runs until it is closed.
 pub fn main() -> ExitCode {
@@ -27,8 +29,7 @@ pub fn main() -> ExitCode {
     let placement = placement::load();
     let window = egui::ViewportBuilder::default()
         .with_title(NAME)
-        // Also the class of the window on X11: assets/linux/depth-calculator.desktop names it.
-        .with_app_id("depth-calculator")
+        .with_app_id(ID)
         .with_min_inner_size(placement::LEAST)
         .with_icon(icon().unwrap_or_default());
     let options = eframe::NativeOptions {
@@ -118,5 +119,29 @@ impl Platform for Desktop {
 
     fn copied(&mut self) -> Option<Result<(), String>> {
         std::mem::take(&mut self.copied).then_some(Ok(()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ID, NAME, icon};
+
+    #[test]
+    fn the_entry_of_a_linux_desktop_is_of_this_window() {
+        let entry = include_str!("../../../assets/linux/depth-calculator.desktop");
+        for line in [
+            format!("StartupWMClass={ID}"),
+            format!("Icon={ID}"),
+            format!("Exec={ID}"),
+            format!("Name={NAME}"),
+            "Terminal=false".to_owned(),
+        ] {
+            assert!(entry.lines().any(|known| known == line), "{line}");
+        }
+    }
+
+    #[test]
+    fn the_window_has_an_icon() {
+        assert!(icon().is_some_and(|icon| (icon.width, icon.height) == (256, 256)));
     }
 }
