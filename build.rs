@@ -1,4 +1,5 @@
-//! Takes the Learn text apart before the program is compiled, so that nobody has to download a Markdown parser with it.
+//! Takes the Learn text apart before the program is compiled, so that nobody has to download a Markdown parser with it, and gives
+//! the program for Windows its icon.
 //!
 //! Writes `learn.rs` into the build's folder: one expression, the blocks of `src/app/learn/document.rs`.
 
@@ -6,8 +7,43 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("cargo::rerun-if-changed=build.rs");
     // The mathematics alone has no text to show.
     #[cfg(feature = "app")]
-    learn::write()?;
+    {
+        learn::write()?;
+        windows::embed()?;
+    }
     Ok(())
+}
+
+#[cfg(feature = "app")]
+mod windows {
+    use std::env;
+
+    const ICON: &str = "assets/icons/icon.ico";
+    const MANIFEST: &str = "assets/windows/depth-calculator.manifest";
+
+    /// Puts the icon, the version and the manifest into the program where it is for Windows.
+    pub fn embed() -> Result<(), Box<dyn std::error::Error>> {
+        println!("cargo::rerun-if-changed={ICON}");
+        println!("cargo::rerun-if-changed={MANIFEST}");
+        // Of the target: this runs on the computer that builds.
+        if env::var("CARGO_CFG_TARGET_OS")? != "windows" {
+            return Ok(());
+        }
+        let outcome = winresource::WindowsResource::new()
+            .set("ProductName", "Depth Calculator")
+            .set("FileDescription", "Depth Calculator")
+            .set_icon(ICON)
+            .set_manifest_file(MANIFEST)
+            .compile_for("depth-calculator");
+        match outcome {
+            // Whoever only checks the program on another system need not have a compiler of resources.
+            Err(error) if cfg!(not(windows)) => {
+                println!("cargo::warning=The program gets no icon, as it was not compiled on Windows: {error}")
+            }
+            outcome => outcome?,
+        }
+        Ok(())
+    }
 }
 
 #[cfg(feature = "app")]

@@ -4,7 +4,7 @@
 //! ground plane. Accessibility is switched on, as it is on the web page. Aim: at most 2 ms.
 #![allow(clippy::unwrap_used, missing_docs, reason = "a measurement")]
 
-use depth_calculator::app::{App, Platform};
+use depth_calculator::app::{App, Licenses, Platform};
 use depth_calculator::core::problem::Field;
 use depth_calculator::formats::inputs::{Example, Inputs};
 use divan::Bencher;
@@ -33,6 +33,15 @@ impl Platform for Machine {
     }
     fn save(&mut self, _text: &str) -> Result<(), String> {
         Ok(())
+    }
+    fn set_aside(&mut self) -> Result<Option<String>, String> {
+        Ok(None)
+    }
+    fn commit(&self) -> Option<String> {
+        None
+    }
+    fn licenses(&self) -> Licenses {
+        Licenses::Text("")
     }
     fn copy(&mut self, _ctx: &egui::Context, _text: String) {}
     fn copied(&mut self) -> Option<Result<(), String>> {

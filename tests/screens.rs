@@ -8,23 +8,27 @@
     reason = "tests"
 )]
 
-use depth_calculator::app::{App, Platform};
+use depth_calculator::app::{App, Licenses, Platform};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 /// A machine whose storage and clipboard can be looked at.
 #[derive(Clone, Default)]
 struct Machine {
     stored: Rc<RefCell<Option<String>>>,
-    set_aside: Rc<RefCell<Option<String>>>,
+    /// What has been set aside, and whether there is room for more.
+    set_aside: Rc<RefCell<Vec<String>>>,
+    is_full: Rc<Cell<bool>>,
     clipboard: Rc<RefCell<Option<String>>>,
     copied: Rc<RefCell<Option<Result<(), String>>>>,
     link: Rc<RefCell<Option<String>>>,
     broken: bool,
+    commit: Option<&'static str>,
+    licenses: Option<Licenses>,
 }
 
 impl Platform for Machine {
@@ -42,9 +46,12 @@ impl Platform for Machine {
         *self.stored.borrow_mut() = Some(text.to_owned());
         Ok(())
     }
-    fn set_aside(&mut self, text: &str) -> Result<(), String> {
-        *self.set_aside.borrow_mut() = Some(text.to_owned());
-        Ok(())
+    fn set_aside(&mut self) -> Result<Option<String>, String> {
+        if self.broken || self.is_full.get() {
+            return Err("Storage is full.".into());
+        }
+        self.set_aside.borrow_mut().extend(self.stored.take());
+        Ok(Some("on the shelf".to_owned()))
     }
     fn copy(&mut self, ctx: &egui::Context, text: String) {
         *self.clipboard.borrow_mut() = Some(text);
@@ -54,6 +61,12 @@ impl Platform for Machine {
             Ok(())
         });
         ctx.request_repaint();
+    }
+    fn commit(&self) -> Option<String> {
+        self.commit.map(str::to_owned)
+    }
+    fn licenses(&self) -> Licenses {
+        self.licenses.unwrap_or(Licenses::Page("licenses.html"))
     }
     fn copied(&mut self) -> Option<Result<(), String>> {
         self.copied.borrow_mut().take()
@@ -360,6 +373,104 @@ fn a_refused_clipboard_and_a_blocked_storage_are_said() {
     assert!(program.says("1.400 m"));
     program.press("Copy Results");
     assert!(program.says("The clipboard was refused."));
+}
+
+#[test]
+fn about_tells_version_and_licenses_and_closes_with_escape() {
+    for size in [DESKTOP, PHONE] {
+        let machine = Machine {
+            commit: Some("0123456789abcdef"),
+            ..Machine::default()
+        };
+        let mut program = Program::on(machine, size);
+        program.press("Keys");
+        program.press("About Depth Calculator");
+        assert!(program.says(&format!("Version {}, commit 0123456.", env!("CARGO_PKG_VERSION"))));
+        assert!(program.says("MIT") && program.says("Apache") && program.says("Inter") && program.says("DejaVu"));
+        assert!(!program.says("Step ten times as far"), "one dialog at a time");
+        let link = program
+            .harness
+            .get_by_role_and_label(Role::Link, "Licenses of the fonts and of every library in it");
+        assert!(link.rect().left() >= 0.0 && link.rect().right() <= size.x);
+        link.click();
+        program.harness.step();
+        let opened = program
+            .harness
+            .output()
+            .platform_output
+            .commands
+            .iter()
+            .find_map(|command| match command {
+                egui::OutputCommand::OpenUrl(opened) => Some(opened.url.clone()),
+                _ => None,
+            });
+        assert_eq!(opened.as_deref(), Some("licenses.html"));
+        program.harness.key_press(Key::Escape);
+        program.harness.run();
+        assert!(!program.says("commit 0123456"));
+        assert!(program.harness.query_by_label("Keys").is_some());
+    }
+}
+
+#[test]
+fn about_is_at_the_end_of_the_explanations_too_and_its_button_closes_it() {
+    let mut program = Program::new();
+    program.press("Learn");
+    program.press("About Depth Calculator");
+    assert!(program.says("built from source, commit unknown"));
+    program.press("Close");
+    assert!(!program.says("commit unknown"));
+}
+
+#[test]
+fn a_long_text_of_licenses_is_shown_by_pages() {
+    let text: String = (1..=9000).map(|line| format!("Line {line}.\n")).collect();
+    let machine = Machine {
+        licenses: Some(Licenses::Text(text.leak())),
+        ..Machine::default()
+    };
+    let mut program = Program::on(machine, PHONE);
+    program.press("Keys");
+    program.press("About Depth Calculator");
+    assert!(program.harness.query_by_role_and_label(Role::Region, "Licenses").is_some());
+    assert!(
+        program.says("Line 1.") && !program.says("Line 200."),
+        "only what is in sight is laid out"
+    );
+    program.harness.key_press(Key::PageDown);
+    program.harness.run();
+    assert!(!program.says("Line 1.\n") && program.says("Line 30."));
+    program.harness.key_press(Key::End);
+    program.harness.run();
+    assert!(program.says("Line 9000."));
+    program.harness.key_press(Key::Home);
+    program.harness.run();
+    assert!(program.says("Line 1.\n"));
+}
+
+#[test]
+fn about_fits_into_every_window_whatever_it_shows_of_the_licenses() {
+    for size in [vec2(360.0, 480.0), PHONE, DESKTOP] {
+        for licenses in [
+            Licenses::Page("licenses.html"),
+            Licenses::Text("A very long line. ".repeat(20).leak()),
+        ] {
+            let machine = Machine {
+                licenses: Some(licenses),
+                ..Machine::default()
+            };
+            let mut program = Program::on(machine, size);
+            program.press("Keys");
+            program.press("About Depth Calculator");
+            let top = program
+                .harness
+                .get_by_role_and_label(Role::Heading, "About Depth Calculator")
+                .rect();
+            let close = program.harness.get_by_label("Close").rect();
+            assert!(top.top() >= 0.0 && top.left() >= 0.0, "{size}: {top:?}");
+            assert!(close.bottom() <= size.y && close.right() <= size.x, "{size}: {close:?}");
+        }
+    }
 }
 
 #[test]
@@ -861,11 +972,29 @@ fn what_can_be_below_zero_is_not_given_a_keyboard_without_minus() {
 }
 
 #[test]
-fn a_state_that_cannot_be_read_is_set_aside() {
+fn a_state_that_cannot_be_read_is_set_aside_and_its_place_is_named() {
     let machine = Machine::default();
     *machine.stored.borrow_mut() = Some("{\"version\":999}".into());
     let mut program = Program::on(machine.clone(), DESKTOP);
-    assert!(program.says("The old text is kept"));
+    assert!(program.says("starts fresh. The old text is kept on the shelf."));
     program.mug();
-    assert_eq!(machine.set_aside.borrow().as_deref(), Some("{\"version\":999}"));
+    assert_eq!(*machine.set_aside.borrow(), ["{\"version\":999}"]);
+    assert!(machine.stored.borrow().as_deref().unwrap().contains("700"));
+}
+
+#[test]
+fn a_state_that_cannot_be_set_aside_is_not_overwritten_either() {
+    let machine = Machine::default();
+    *machine.stored.borrow_mut() = Some("{\"version\":999}".into());
+    machine.is_full.set(true);
+    let mut program = Program::on(machine.clone(), DESKTOP);
+    assert!(program.says("starts fresh. Storage is full. The program works, but forgets"));
+    program.mug();
+    assert_eq!(machine.stored.borrow().as_deref(), Some("{\"version\":999}"));
+
+    machine.is_full.set(false);
+    program.type_into(D, "100");
+    assert!(program.says("The old text is kept on the shelf."));
+    assert_eq!(*machine.set_aside.borrow(), ["{\"version\":999}"]);
+    assert!(machine.stored.borrow().as_deref().unwrap().contains("700"));
 }

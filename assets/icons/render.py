@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Render the PNG icons of the program from the SVG files beside this script.
+"""Render the PNG and ICO icons of the program from the SVG files beside this script.
 
     python3 render.py
 
 icon.svg is the mark, favicon.svg the same with fewer parts for 16 and 32 px,
 og.svg the social card (1200 × 630). Needs, from Debian: librsvg2-bin for
-rsvg-convert and zopfli for zopflipng; and the fonts in ../fonts, which alone
-are offered to the card, so that it looks the same wherever it is made.
+rsvg-convert, zopfli for zopflipng and icoutils for icotool; and the fonts in
+../fonts, which alone are offered to the card, so that it looks the same wherever it is made.
 
 Two shapes of the mark are derived here:
 
@@ -75,6 +75,16 @@ def main() -> None:
             (HERE / "og.svg", "og.png", 1200),
         ):
             render(source, target, width, fonts, scratch)
+
+        # For Windows: small where it lists files, large where it shows them.
+        sizes = [(HERE / "favicon.svg", 16), (HERE / "favicon.svg", 32), (HERE / "icon.svg", 48)]
+        pictures = []
+        for source, width in sizes:
+            pictures.append(scratch / f"{width}.png")
+            run("rsvg-convert", "--width", str(width), "--output", pictures[-1], source)
+        # The largest stays a PNG, as Windows has it since Vista.
+        run("icotool", "--create", "--output", HERE / "icon.ico", *pictures, "--raw", HERE / "icon-256.png")
+        print(f"icon.ico: {(HERE / 'icon.ico').stat().st_size} bytes")
 
 
 if __name__ == "__main__":

@@ -135,8 +135,11 @@ function startAfresh() {
   try {
     const stored = localStorage.getItem(key);
     localStorage.removeItem(key);
-    // After that there is room for it.
-    if (stored !== null) localStorage.setItem(`${key}/set aside`, stored);
+    // The program does the same (src/platform/web/browser.rs): nothing that was set aside before is overwritten.
+    let aside = `${key}/set aside`;
+    for (let number = 2; localStorage.getItem(aside) !== null; number += 1) aside = `${key}/set aside ${number}`;
+    // Now that it is removed there is room for it.
+    if (stored !== null) localStorage.setItem(aside, stored);
   } catch {
     // What cannot be read is not read by the program either.
   }

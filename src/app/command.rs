@@ -8,6 +8,15 @@ use crate::core::quantity::{LengthUnit, Pixels};
 use crate::formats::inputs::{Entry, Inputs};
 use egui::ThemePreference;
 
+/// What can stand over the screen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dialog {
+    /// The list of keys.
+    Keys,
+    /// What the program is, and its licenses.
+    About,
+}
+
 /// Something a person asked for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
@@ -31,8 +40,8 @@ pub enum Command {
     DragDisparity(f64),
     /// An edit is complete: a drag ended, a field was left.
     Settle,
-    /// Show or hide the list of keys.
-    ListKeys(bool),
+    /// Show a dialog over the screen, or take away the one that is there.
+    ShowDialog(Option<Dialog>),
     /// Open a helper, or close the one that is open.
     Help(Option<Helper>),
     /// The principal point became known, cx and cy.

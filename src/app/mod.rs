@@ -1,5 +1,6 @@
 //! Floor 3: the egui application, the same in a browser, in a window and under test.
 
+mod about;
 mod calculator;
 mod command;
 mod learn;
@@ -13,7 +14,7 @@ use crate::core::problem::Field;
 use crate::formats::inputs::{Inputs, Severity};
 use crate::formats::{link, number, report};
 use calculator::Calculator;
-use command::Command;
+use command::{Command, Dialog};
 use egui::accesskit::Role;
 use egui::{Align, Button, CentralPanel, Frame, Margin, Panel, RichText, Stroke, ThemePreference, Ui, UiBuilder, vec2};
 use saved::{Saved, Screen, Settings};
@@ -40,14 +41,12 @@ pub trait Platform {
     /// A sentence saying why not.
     fn save(&mut self, text: &str) -> Result<(), String>;
 
-    /// Keeps a stored text that cannot be read, apart from what [`Self::save`] stores: it may be of a newer version.
+    /// Moves what is stored, which cannot be read, to where nothing is overwritten, now or later: it may be of a newer version.
+    /// Returns where a person finds it, as the end of a sentence ("in the file …"), or nothing where nothing is stored.
     ///
     /// # Errors
-    /// A sentence saying why not.
-    fn set_aside(&mut self, text: &str) -> Result<(), String> {
-        let _ = text;
-        Err("There is no place for it.".to_owned())
-    }
+    /// A sentence saying why not. What is stored is then still in its place.
+    fn set_aside(&mut self) -> Result<Option<String>, String>;
 
     /// Starts putting `text` on the clipboard; the outcome comes later from [`Self::copied`].
     fn copy(&mut self, ctx: &egui::Context, text: String);
@@ -65,10 +64,26 @@ pub trait Platform {
         None
     }
 
+    /// The commit that the program was built from, where that is known.
+    fn commit(&self) -> Option<String>;
+
+    /// The licenses of the program and of everything in it.
+    fn licenses(&self) -> Licenses;
+
     /// The part behind the `#` of a link that was followed to the program, once.
     fn link(&mut self) -> Option<String> {
         None
     }
+}
+
+/// Where the licenses of everything in the program are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Licenses {
+    /// Here, as lines of text.
+    #[cfg(not(target_arch = "wasm32"))]
+    Text(&'static str),
+    /// On a page with this address.
+    Page(&'static str),
 }
 
 /// A sentence about what just happened, with what can be done about it.
@@ -85,62 +100,63 @@ pub struct App {
     settings: Settings,
     /// What is in storage, to write only what changed.
     stored: Saved,
+    /// What is in storage could not be read and is still there. Nothing is written over it.
+    is_in_the_way: bool,
     history: History,
     calculator: Calculator,
     notice: Option<Notice>,
-    lists_keys: bool,
+    /// What stands over the screen.
+    dialog: Option<Dialog>,
     forced_colors: Option<SystemColors>,
     pending: Vec<Command>,
 }
 
 impl App {
     /// The application with the state that `platform` has stored.
-    pub fn new(cc: &eframe::CreationContext<'_>, mut platform: Box<dyn Platform>) -> Self {
+    pub fn new(cc: &eframe::CreationContext<'_>, platform: Box<dyn Platform>) -> Self {
         let ctx = &cc.egui_ctx;
         theme::install(ctx);
-        let notice = |text: &str| {
-            Some(Notice {
-                text: text.to_owned(),
-                action: None,
-            })
-        };
-        let (saved, notice) = match platform.load() {
+        let (saved, unread) = match platform.load() {
             Ok(None) => (Saved::default(), None),
             Ok(Some(text)) => match Saved::from_text(&text) {
                 Some(saved) => (saved, None),
-                None => {
-                    let kept = platform.set_aside(&text);
-                    (
-                        Saved::default(),
-                        notice(match kept {
-                            Ok(()) => {
-                                "What was stored last time could not be read, or is of another version, so the program starts fresh. The old text is kept beside the new one."
-                            }
-                            Err(_) => "What was stored last time could not be read, or is of another version, so the program starts fresh.",
-                        }),
-                    )
-                }
+                None => (
+                    Saved::default(),
+                    Some("What was stored last time could not be read, or is of another version, so the program starts fresh.".to_owned()),
+                ),
             },
-            Err(reason) => (
-                Saved::default(),
-                notice(&format!(
-                    "{reason} The program works, but forgets what you enter when it is closed: copy your results to keep them."
-                )),
-            ),
+            Err(reason) => (Saved::default(), Some(reason)),
         };
         ctx.set_theme(saved.settings.theme);
-        let app = Self {
+        let mut app = Self {
             platform,
             sheet: Sheet::new(saved.inputs.clone()),
             settings: saved.settings.clone(),
             history: History::new(saved.inputs.clone()),
             stored: saved,
             calculator: Calculator::default(),
-            notice,
-            lists_keys: false,
+            notice: None,
+            dialog: None,
             forced_colors: None,
             pending: Vec::new(),
+            is_in_the_way: unread.is_some(),
         };
+        if let Some(reason) = unread
+            && let Err(obstacle) = app.make_room(&reason)
+        {
+            // Often the same.
+            let obstacle = if obstacle == reason {
+                String::new()
+            } else {
+                format!(" {obstacle}")
+            };
+            app.say(
+                &format!(
+                    "{reason}{obstacle} The program works, but forgets what you enter when it is closed: copy your results to keep them."
+                ),
+                None,
+            );
+        }
         app.focus_first_field(ctx);
         app
     }
@@ -222,7 +238,7 @@ impl App {
                 ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(field)));
             }
             Command::DragDisparity(disparity) => self.sheet.inputs.entry_mut(Field::Disparity).text = number::plain(disparity),
-            Command::ListKeys(shown) => self.lists_keys = shown,
+            Command::ShowDialog(dialog) => self.dialog = dialog,
             Command::Help(helper) => self.calculator.helper = helper,
             Command::PrincipalPoint(cx, cy) => calculator::geometry::set_principal_point(&mut self.settings.texts, cx, cy),
             Command::ShowGeometry(shown) => self.settings.shows_geometry = shown,
@@ -265,6 +281,18 @@ impl App {
         self.stored.inputs == self.sheet.inputs && self.stored.settings == self.settings
     }
 
+    /// Moves away what could not be read, for `reason`, and says where it is.
+    fn make_room(&mut self, reason: &str) -> Result<(), String> {
+        if self.is_in_the_way {
+            let kept = self.platform.set_aside()?;
+            self.is_in_the_way = false;
+            if let Some(place) = kept {
+                self.say(&format!("{reason} The old text is kept {place}."), None);
+            }
+        }
+        Ok(())
+    }
+
     /// Writes what changed. A failure is said once.
     fn store(&mut self) {
         if self.is_stored() {
@@ -274,7 +302,10 @@ impl App {
             inputs: self.sheet.inputs.clone(),
             settings: self.settings.clone(),
         };
-        let outcome = self.stored.to_text().and_then(|text| self.platform.save(&text));
+        let outcome = self
+            .make_room("There is room again for what you enter.")
+            .and_then(|()| self.stored.to_text())
+            .and_then(|text| self.platform.save(&text));
         if let Err(reason) = outcome {
             self.say(
                 &format!("{reason} What you enter now may be gone after a restart: copy your results to keep them."),
@@ -373,8 +404,10 @@ impl eframe::App for App {
                 });
             }
         });
-        if self.lists_keys {
-            shortcuts::list(ui, layout, &mut commands);
+        match self.dialog {
+            Some(Dialog::Keys) => shortcuts::list(ui, layout, &mut commands),
+            Some(Dialog::About) => about::show(ui, layout, &*self.platform, &mut commands),
+            None => {}
         }
         focus_ring(ui);
         // At once: some browsers allow it only while they handle the click, and that of a pointer is when eframe runs this pass.
@@ -459,7 +492,7 @@ fn navigation(ui: &mut Ui, layout: Layout, screen: Screen, theme_preference: The
         ui.add_space((ui.available_width() - 2.0 * side - ui.spacing().item_spacing.x).max(0.0));
         let keys = Button::new("?").min_size(vec2(side, side));
         if ui.add(keys).accessible_name("Keys").clicked() {
-            commands.push(Command::ListKeys(true));
+            commands.push(Command::ShowDialog(Some(Dialog::Keys)));
         }
         theme_choice(ui, layout, theme_preference, commands);
     });

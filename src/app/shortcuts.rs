@@ -1,6 +1,7 @@
 //! The keys that the program knows, and the list of them that `?` shows.
 
-use super::command::Command;
+use super::about;
+use super::command::{Command, Dialog};
 use super::theme::{self, Layout};
 use super::widgets::table::{Cell, row, table};
 use super::widgets::text;
@@ -38,7 +39,7 @@ pub fn pressed(ctx: &egui::Context) -> Option<Command> {
         } else if input.consume_key(Modifiers::COMMAND, Key::Z) {
             Some(Command::Undo)
         } else if input.events.iter().any(|event| matches!(event, Event::Text(text) if text == "?")) {
-            Some(Command::ListKeys(true))
+            Some(Command::ShowDialog(Some(Dialog::Keys)))
         } else {
             None
         }
@@ -68,9 +69,16 @@ pub fn list(ui: &Ui, layout: Layout, commands: &mut Vec<Command>) {
                 }
             });
             ui.add_space(2.0 * theme::STEP);
-            ui.add_sized(vec2(96.0, layout.control_height()), Button::new("Close")).clicked()
+            ui.horizontal(|ui| {
+                let closed = ui.add_sized(vec2(96.0, layout.control_height()), Button::new("Close")).clicked();
+                if text::link_button(ui, about::NAME, layout).clicked() {
+                    Some(Some(Dialog::About))
+                } else {
+                    closed.then_some(None)
+                }
+            })
+            .inner
         });
-    if response.inner || response.should_close() {
-        commands.push(Command::ListKeys(false));
-    }
+    let next = response.inner.or_else(|| response.should_close().then_some(None));
+    commands.extend(next.map(Command::ShowDialog));
 }

@@ -51,6 +51,11 @@ const SCREENS = {
     await page.press('Keys');
     await until('the dialog', () => page.run(`return document.querySelector('${MIRROR} [role=dialog]') !== null`));
   },
+  'what the program is': async (page) => {
+    await page.press('Keys');
+    await page.press('About Depth Calculator');
+    await page.says(/Version \d/);
+  },
   'a dialog with a mistake': async (page) => {
     await page.press('from lens, FOV or Q…');
     await page.fill('Pixel pitch', 'three');

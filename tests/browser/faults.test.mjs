@@ -74,6 +74,25 @@ it('what is stored need not be read again if it may be why the program stops', a
   assert.match(await page.run(`return localStorage.getItem('${STORAGE_KEY}/set aside')`), /"700"/, 'nothing is thrown away');
 });
 
+it('what cannot be read is set aside, its place is named, and nothing that was set aside is overwritten', async (test) => {
+  const page = await bench.page(test);
+  for (const [text, key] of [['not a state', `${STORAGE_KEY}/set aside`], ['another', `${STORAGE_KEY}/set aside 2`]]) {
+    await page.store(text);
+    await page.start();
+    await page.says(new RegExp(`starts fresh\\. The old text is kept in this browser's storage, under the key “${key}”\\.`));
+    assert.equal(await page.run('return localStorage.getItem(arguments[0])', key), text);
+    assert.equal(await page.stored(), null, 'moved, so that a reload does not set it aside again');
+  }
+  await fillMug(page);
+  await mugIsStored(page);
+  await page.reload();
+  await panic(page);
+  await until('a message', () => page.failure());
+  await page.startAgain('Start with an empty form');
+  assert.match(await page.run('return localStorage.getItem(arguments[0])', `${STORAGE_KEY}/set aside 3`), /"700"/);
+  assert.equal(await page.run('return localStorage.getItem(arguments[0])', `${STORAGE_KEY}/set aside`), 'not a state');
+});
+
 const REFUSALS = [
   {
     title: 'a storage that may not even be looked at',

@@ -330,6 +330,19 @@ it('a number keyboard is asked for, and the question mark lists the keys whereve
   await page.says(/What this computes/);
 });
 
+it('About names the commit and leads to the licenses on a page of their own', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.run("document.querySelector('meta[name=commit]').content = '0123456789abcdef'; window.open = (address) => { document.body.dataset.opened = address; return window; }");
+  await page.press('Keys');
+  await page.press('About Depth Calculator');
+  await page.says(/Version \d+\.\d+\.\d+, commit 0123456\./);
+  await page.press('Licenses of the fonts and of every library in it');
+  assert.equal(await until('the page', () => page.run('return document.body.dataset.opened')), 'licenses.html');
+  await page.press('Close');
+  await until('no dialog', () => page.run(`return document.querySelector('${MIRROR} [role=dialog]') === null`));
+});
+
 /** The names of elements that are not what is found at their middle, as the browser finds it for whoever explores by touch. */
 const HIDDEN_FROM_A_FINGER = `
   const host = document.querySelector('${MIRROR}');

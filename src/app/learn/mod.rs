@@ -2,9 +2,10 @@
 
 mod document;
 
-use super::command::Command;
+use super::about;
+use super::command::{Command, Dialog};
 use super::theme::{self, Layout};
-use super::widgets::scroll;
+use super::widgets::{scroll, text};
 use document::DOCUMENT;
 use egui::Ui;
 
@@ -18,6 +19,9 @@ pub fn show(ui: &mut Ui, layout: Layout, commands: &mut Vec<Command>) {
                 theme::card(theme::palette(ui)).show(ui, |ui| {
                     ui.set_width(ui.available_width());
                     followed = document::show(ui, DOCUMENT, layout.control_height());
+                    if text::link_button(ui, about::NAME, layout).clicked() {
+                        commands.push(Command::ShowDialog(Some(Dialog::About)));
+                    }
                 });
                 ui.add_space(layout.gap());
             });

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use wasm_bindgen::{JsCast as _, JsValue};
 
-use crate::app::{Platform, SystemColors};
+use crate::app::{Licenses, Platform, SystemColors};
 
 /// Where the state is stored. The number is the version of the form; one origin may serve several programs.
 pub(super) const STORAGE_KEY: &str = "depth-calculator/v1";
@@ -56,10 +56,11 @@ impl Platform for Browser {
         outcome
     }
 
-    fn set_aside(&mut self, text: &str) -> Result<(), String> {
-        storage()?
-            .set_item(&format!("{STORAGE_KEY}/set aside"), text)
-            .map_err(|error| sentence(&error))
+    fn set_aside(&mut self) -> Result<Option<String>, String> {
+        let outcome = storage()
+            .and_then(|storage| set_aside(&storage).map_err(|error| format!("This browser could not set it aside: {}", sentence(&error))));
+        super::page::note_kept(outcome.is_ok());
+        outcome
     }
 
     fn copy(&mut self, ctx: &egui::Context, text: String) {
@@ -107,6 +108,16 @@ impl Platform for Browser {
         self.forced_colors
     }
 
+    fn commit(&self) -> Option<String> {
+        let document = web_sys::window()?.document()?;
+        let commit = document.query_selector("meta[name=commit]").ok()??.get_attribute("content")?;
+        (!commit.is_empty()).then_some(commit)
+    }
+
+    fn licenses(&self) -> Licenses {
+        Licenses::Page("licenses.html")
+    }
+
     fn link(&mut self) -> Option<String> {
         let location = web_sys::window()?.location();
         let fragment = location.hash().ok()?;
@@ -130,6 +141,22 @@ fn storage() -> Result<web_sys::Storage, String> {
             )
         })?
         .ok_or_else(|| "This browser has no storage for pages.".to_owned())
+}
+
+/// Moves what is stored to a key that nothing has. `assets/web/start.js` does the same.
+fn set_aside(storage: &web_sys::Storage) -> Result<Option<String>, JsValue> {
+    let Some(text) = storage.get_item(STORAGE_KEY)? else {
+        return Ok(None);
+    };
+    let mut key = format!("{STORAGE_KEY}/set aside");
+    let mut number = 1;
+    while storage.get_item(&key)?.is_some() {
+        number += 1;
+        key = format!("{STORAGE_KEY}/set aside {number}");
+    }
+    storage.set_item(&key, &text)?;
+    storage.remove_item(STORAGE_KEY)?;
+    Ok(Some(format!("in this browser's storage, under the key “{key}”")))
 }
 
 fn clipboard() -> Result<web_sys::Clipboard, String> {

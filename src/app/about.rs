@@ -1,0 +1,109 @@
+//! What the program is, and under which licenses it and everything in it may be used.
+
+use super::command::Command;
+use super::theme::{self, Layout};
+use super::widgets::text;
+use super::{Licenses, Platform};
+use egui::{Button, Modal, Ui, vec2};
+
+/// The button that opens the dialog.
+pub const NAME: &str = "About Depth Calculator";
+
+/// The dialog, over the screen.
+pub fn show(ui: &Ui, layout: Layout, platform: &dyn Platform, commands: &mut Vec<Command>) {
+    let palette = theme::palette(ui);
+    let response = Modal::new(egui::Id::unique("about"))
+        .frame(theme::card(palette))
+        .show(ui.ctx(), |ui| {
+            ui.set_width((ui.ctx().content_rect().width() - 72.0).min(640.0));
+            text::heading(ui, NAME, 2, theme::strong(17.0), palette.text);
+            ui.add_space(theme::STEP);
+            ui.label(version(platform.commit().as_deref()));
+            ui.label("You may use, change and share it under the MIT or the Apache 2.0 license, as you like.");
+            ui.label("Its fonts are Inter (SIL Open Font License 1.1) and DejaVu (a license of its own).");
+            match platform.licenses() {
+                Licenses::Page(address) => {
+                    ui.hyperlink_to("Licenses of the fonts and of every library in it", address);
+                }
+                #[cfg(not(target_arch = "wasm32"))]
+                Licenses::Text(licenses) => full_text(ui, licenses),
+            }
+            ui.add_space(2.0 * theme::STEP);
+            ui.add_sized(vec2(96.0, layout.control_height()), Button::new("Close")).clicked()
+        });
+    if response.inner || response.should_close() {
+        commands.push(Command::ShowDialog(None));
+    }
+}
+
+/// What to name in a report of an error.
+fn version(commit: Option<&str>) -> String {
+    let source = commit.map_or_else(
+        || "built from source, commit unknown".to_owned(),
+        // As Git shortens it.
+        |commit| format!("commit {}", commit.chars().take(7).collect::<String>()),
+    );
+    format!("Version {}, {source}.", env!("CARGO_PKG_VERSION"))
+}
+
+/// Thousands of lines, of which only those in sight are laid out. Nothing in the text takes the focus: the keys that turn pages scroll it.
+#[cfg(not(target_arch = "wasm32"))]
+fn full_text(ui: &mut Ui, licenses: &'static str) {
+    use egui::accesskit::Role;
+    use egui::{Key, Label, Modifiers, RichText, ScrollArea, TextStyle, UiBuilder};
+
+    ui.add_space(2.0 * theme::STEP);
+    text::heading(
+        ui,
+        "Licenses of the program, its fonts and every library in it",
+        3,
+        theme::strong(theme::BODY_SIZE),
+        theme::palette(ui).text,
+    );
+    // What the rest of the dialog leaves of the smallest window is little, but something.
+    let height = (ui.ctx().content_rect().height() - 360.0).max(96.0);
+    let turned: f32 = [
+        (Key::PageDown, -0.9),
+        (Key::PageUp, 0.9),
+        (Key::End, -f32::MAX),
+        (Key::Home, f32::MAX),
+    ]
+    .into_iter()
+    .filter(|(key, _)| ui.input_mut(|input| input.consume_key(Modifiers::NONE, *key)))
+    .map(|(_, pages)| (pages * height).clamp(-1e7, 1e7))
+    .sum();
+    let region = UiBuilder::new().accessibility_role(Role::Region).accessibility_label("Licenses");
+    ui.scope_builder(region, |ui| {
+        ui.style_mut()
+            .text_styles
+            .insert(TextStyle::Body, theme::regular(theme::SMALL_SIZE));
+        ui.spacing_mut().item_spacing.y = 0.0;
+        let line_height = ui.text_style_height(&TextStyle::Body);
+        ScrollArea::both().max_height(height).auto_shrink([false, false]).show_rows(
+            ui,
+            line_height,
+            licenses.lines().count(),
+            |ui, rows| {
+                ui.scroll_with_delta(vec2(0.0, turned));
+                for line in licenses.lines().skip(rows.start).take(rows.len()) {
+                    ui.add(Label::new(RichText::new(line)).extend());
+                }
+            },
+        );
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::version;
+
+    #[test]
+    fn the_version_names_the_commit_or_says_that_it_is_unknown() {
+        let number = env!("CARGO_PKG_VERSION");
+        assert_eq!(
+            version(Some("0123456789abcdef0123456789abcdef01234567")),
+            format!("Version {number}, commit 0123456.")
+        );
+        assert_eq!(version(None), format!("Version {number}, built from source, commit unknown."));
+    }
+}

@@ -1,0 +1,336 @@
+//! Why there is no window, in one sentence: what is missing, and what to do.
+
+use std::any::Any;
+use std::env;
+use std::io::IsTerminal as _;
+use std::panic::{AssertUnwindSafe, PanicHookInfo};
+use std::sync::{Arc, Mutex};
+use winit::error::EventLoopError;
+
+/// What keeps the window from opening, or what has ended it.
+#[derive(Debug, PartialEq, Eq)]
+pub enum Failure {
+    /// Nothing says where a window could be.
+    NoDisplay,
+    /// What the variable names does not answer, or what is needed to ask it is missing.
+    SilentDisplay {
+        variable: &'static str,
+        display: String,
+        reason: String,
+    },
+    /// A library that the display is asked through is not installed.
+    NoLibrary(String),
+    /// The display offers no OpenGL, or no library of it is installed.
+    NoOpenGl(String),
+    /// There is OpenGL, and its driver fails.
+    NoDriver(String),
+    /// An OpenGL older than the window can be drawn with.
+    OldOpenGl,
+    /// Anything else before there was a window.
+    NoWindow(String),
+    /// The display went away while the window was open.
+    LostDisplay,
+    /// An error in the program while its window was open, with its place in the source.
+    Stopped { reason: String, place: String },
+}
+
+impl Failure {
+    /// What eframe says, in words. `environment` gives the value of an environment variable.
+    pub fn of(error: &eframe::Error, environment: impl Fn(&str) -> Option<String>) -> Self {
+        let reason = |error: &dyn std::fmt::Display| without_place(&error.to_string());
+        match error {
+            eframe::Error::WinitEventLoop(EventLoopError::ExitFailure(_)) => Self::LostDisplay,
+            eframe::Error::WinitEventLoop(error) => Self::of_display(reason(error), environment),
+            // The template that it was looked for with tells nobody anything.
+            eframe::Error::NoGlutinConfigs(_, error) => Self::NoOpenGl(match reason(error).as_str() {
+                "not found" => "neither libGL nor libEGL can be loaded".to_owned(),
+                other => other.to_owned(),
+            }),
+            eframe::Error::Glutin(error) => Self::NoDriver(reason(error)),
+            eframe::Error::OpenGL(error) => {
+                let reason = reason(error);
+                if reason.contains("requires opengl 2") {
+                    Self::OldOpenGl
+                } else {
+                    Self::NoDriver(reason)
+                }
+            }
+            other => Self::NoWindow(reason(other)),
+        }
+    }
+
+    /// Only where displays are named by the environment can they be missing; there winit takes Wayland's first.
+    fn of_display(reason: String, environment: impl Fn(&str) -> Option<String>) -> Self {
+        if !NAMES_DISPLAYS {
+            return Self::NoWindow(reason);
+        }
+        let named = ["WAYLAND_DISPLAY", "WAYLAND_SOCKET", "DISPLAY"]
+            .into_iter()
+            .find_map(|variable| Some((variable, environment(variable).filter(|display| !display.is_empty())?)));
+        match named {
+            None => Self::NoDisplay,
+            Some(_) if is_of_library(&reason) => Self::NoLibrary(reason),
+            Some((variable, display)) => Self::SilentDisplay { variable, display, reason },
+        }
+    }
+
+    /// winit panics where it lacks some libraries.
+    fn before_window(reason: String) -> Self {
+        if NAMES_DISPLAYS && is_of_library(&reason) {
+            Self::NoLibrary(reason)
+        } else {
+            Self::NoWindow(reason)
+        }
+    }
+
+    /// The sentence, without a name before it.
+    pub fn sentence(&self) -> String {
+        const TERMINAL: &str = "or compute on the terminal (depth-calculator calculate --help)";
+        let driver = if NAMES_DISPLAYS {
+            "try LIBGL_ALWAYS_SOFTWARE=1 depth-calculator, install or update the graphics driver (on most Linux systems Mesa)"
+        } else {
+            "install or update the driver of the graphics card"
+        };
+        match self {
+            Self::NoDisplay => format!(
+                "There is no display to open a window on, as neither WAYLAND_DISPLAY nor DISPLAY is set: start the program on a desktop, {TERMINAL}."
+            ),
+            Self::SilentDisplay { variable, display, reason } => format!(
+                "The display that {variable} names, {display}, cannot be used ({reason}): start the program on a desktop that runs, {TERMINAL}."
+            ),
+            Self::NoLibrary(reason) => format!(
+                "A library that the window needs is not installed ({reason}): install it (on Debian and Ubuntu one of libx11-6, libxcursor1, libxi6, libxkbcommon-x11-0), {TERMINAL}."
+            ),
+            Self::NoOpenGl(reason) => {
+                format!("There is no OpenGL to draw the window with ({reason}): {driver}, {TERMINAL}.")
+            }
+            Self::NoDriver(reason) => {
+                format!("OpenGL is there, but its driver fails ({reason}): {driver}, {TERMINAL}.")
+            }
+            Self::OldOpenGl => {
+                format!("OpenGL is there, but older than version 2, which draws the window: {driver}, {TERMINAL}.")
+            }
+            Self::NoWindow(reason) => {
+                format!("The window could not be opened ({reason}): start the program on another desktop, {TERMINAL}.")
+            }
+            Self::LostDisplay => {
+                "The display has closed the connection to the program: start it again on a desktop that runs; what you entered before is kept."
+                    .to_owned()
+            }
+            Self::Stopped { reason, place } => format!(
+                "The program has stopped because of an error in it ({reason}, {place}): start it again; what you entered before is kept."
+            ),
+        }
+    }
+}
+
+/// Whether a program finds the display by environment variables: wherever X11 or Wayland is.
+const NAMES_DISPLAYS: bool = !cfg!(any(target_os = "windows", target_os = "macos"));
+
+/// Whether winit says, of whichever library, that it is missing.
+fn is_of_library(reason: &str) -> bool {
+    reason.contains("could not be loaded") || reason.contains("shared libraries")
+}
+
+/// Runs the window, and says on stderr what goes wrong, panics too.
+///
+/// # Errors
+/// When it has been said.
+pub fn heard(run: impl FnOnce() -> eframe::Result, is_open: impl Fn() -> bool + Send + Sync + 'static) -> Result<(), Failure> {
+    let panicked = Arc::new(Mutex::new(None));
+    let noted = Arc::clone(&panicked);
+    let usual = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        let failure = of_panic(panic, is_open());
+        // At once: what is taken down afterwards may fail again, and that ends the program.
+        say(&failure);
+        // For whoever looks for the error.
+        if env::var_os("RUST_BACKTRACE").is_some_and(|wish| wish != "0") {
+            usual(panic);
+        }
+        if let Ok(mut noted) = noted.lock() {
+            *noted = Some(failure);
+        }
+    }));
+    // Nothing that a panic may leave half done is used again.
+    let failure = match std::panic::catch_unwind(AssertUnwindSafe(run)) {
+        Ok(Ok(())) => return Ok(()),
+        Ok(Err(error)) => {
+            let failure = Failure::of(&error, |variable| env::var(variable).ok());
+            say(&failure);
+            failure
+        }
+        Err(payload) => {
+            let noted = panicked.lock().ok().and_then(|mut noted| noted.take());
+            noted.unwrap_or_else(|| Failure::before_window(message(payload.as_ref())))
+        }
+    };
+    Err(failure)
+}
+
+fn say(failure: &Failure) {
+    eprintln!("depth-calculator: {}", failure.sentence());
+}
+
+/// Says it in a box where nobody reads stderr, as after a double click: in the system's own, which needs no OpenGL, on Linux in
+/// that of zenity, where it is installed.
+pub fn show(failure: &Failure) {
+    if !std::io::stderr().is_terminal() && !matches!(failure, Failure::NoDisplay | Failure::SilentDisplay { .. } | Failure::LostDisplay) {
+        rfd::MessageDialog::new()
+            .set_level(rfd::MessageLevel::Error)
+            .set_title(super::NAME)
+            .set_description(failure.sentence())
+            .show();
+    }
+}
+
+fn of_panic(panic: &PanicHookInfo<'_>, is_open: bool) -> Failure {
+    let reason = message(panic.payload());
+    if !is_open {
+        return Failure::before_window(reason);
+    }
+    let place = panic.location().map_or_else(
+        || "at an unknown place".to_owned(),
+        |location| format!("in {} at line {}", place_in_package(location.file()), location.line()),
+    );
+    Failure::Stopped { reason, place }
+}
+
+/// What a panic says, as the inside of a sentence.
+fn message(payload: &dyn Any) -> String {
+    let text = payload
+        .downcast_ref::<&str>()
+        .copied()
+        .or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+    without_place(text.unwrap_or("no reason given"))
+}
+
+/// `text` in one line, without a full stop, and without the place in the source that libraries put before it
+/// (`os error at /…/mod.rs:765: …`): it is a folder of the computer that built the program.
+fn without_place(text: &str) -> String {
+    let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let rest = line.rsplit_once(".rs:").map_or(line.as_str(), |(_, rest)| {
+        rest.trim_start_matches(|c: char| c.is_ascii_digit() || c == ':').trim_start()
+    });
+    rest.trim_end_matches('.').to_owned()
+}
+
+/// The path of a source file from its package on: `winit-0.30.13/src/window.rs`, and not where that was built.
+fn place_in_package(file: &str) -> String {
+    let parts: Vec<&str> = file.split(['/', '\\']).collect();
+    let source = parts
+        .iter()
+        .rposition(|part| *part == "src")
+        .unwrap_or(parts.len().saturating_sub(1));
+    parts.get(source.saturating_sub(1)..).unwrap_or_default().join("/")
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+mod tests {
+    use super::*;
+
+    fn every_failure() -> Vec<Failure> {
+        vec![
+            Failure::NoDisplay,
+            Failure::SilentDisplay {
+                variable: "DISPLAY",
+                display: ":77".into(),
+                reason: "Failed to open connection to X server".into(),
+            },
+            Failure::NoOpenGl("not found".into()),
+            Failure::NoDriver("GLXBadFBConfig".into()),
+            Failure::OldOpenGl,
+            Failure::before_window("Library libxkbcommon-x11.so could not be loaded".into()),
+            Failure::NoWindow("X server missing XInput extension".into()),
+            Failure::LostDisplay,
+            Failure::Stopped {
+                reason: "attempt to divide by zero".into(),
+                place: "in src/app/mod.rs at line 7".into(),
+            },
+        ]
+    }
+
+    #[test]
+    fn every_failure_is_one_sentence_that_says_what_to_do() {
+        for failure in every_failure() {
+            let sentence = failure.sentence();
+            assert!(!sentence.contains('\n') && sentence.ends_with('.'), "{sentence}");
+            assert!(!sentence.contains("..") && !sentence.contains(". "), "{sentence}");
+            assert!(sentence.contains(": "), "what to do stands after the colon: {sentence}");
+            if !matches!(failure, Failure::LostDisplay | Failure::Stopped { .. }) {
+                assert!(sentence.contains("depth-calculator calculate"), "{sentence}");
+            }
+            if NAMES_DISPLAYS && matches!(failure, Failure::NoOpenGl(_) | Failure::NoDriver(_) | Failure::OldOpenGl) {
+                assert!(sentence.contains("LIBGL_ALWAYS_SOFTWARE=1"), "{sentence}");
+            }
+        }
+    }
+
+    #[test]
+    #[cfg(not(any(target_os = "windows", target_os = "macos")))]
+    fn the_display_that_is_named_is_the_one_that_was_tried() {
+        let of = |set: &[(&str, &str)]| {
+            let value = |name: &str| set.iter().find(|(known, _)| *known == name).map(|(_, value)| (*value).to_owned());
+            Failure::of_display("no answer".into(), value)
+        };
+        assert_eq!(of(&[]), Failure::NoDisplay);
+        assert_eq!(of(&[("DISPLAY", "")]), Failure::NoDisplay);
+        let named = |failure| match failure {
+            Failure::SilentDisplay { variable, display, .. } => (variable, display),
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(
+            Failure::of_display("Failed to load one of xlib's shared libraries".into(), |_| Some(":0".into())),
+            Failure::NoLibrary("Failed to load one of xlib's shared libraries".into())
+        );
+        assert_eq!(named(of(&[("DISPLAY", ":77")])), ("DISPLAY", ":77".to_owned()));
+        assert_eq!(
+            named(of(&[("DISPLAY", ":0"), ("WAYLAND_DISPLAY", "wayland-9")])),
+            ("WAYLAND_DISPLAY", "wayland-9".to_owned())
+        );
+    }
+
+    #[test]
+    fn a_panic_is_told_with_its_place_or_as_a_window_that_does_not_open() {
+        let told = |is_open| heard(|| panic!("Out of luck."), move || is_open).unwrap_err();
+        let stopped = told(true).sentence();
+        let before = told(false);
+        // The hook of the other tests.
+        drop(std::panic::take_hook());
+        assert!(
+            stopped.contains("(Out of luck, in src/platform/desktop/failure.rs at line "),
+            "{stopped}"
+        );
+        assert_eq!(before, Failure::NoWindow("Out of luck".into()));
+        assert_eq!(heard(|| Ok(()), || true), Ok(()));
+        drop(std::panic::take_hook());
+    }
+
+    #[test]
+    fn reasons_name_no_folder_of_the_builder() {
+        for (said, expected) in [
+            (
+                "os error at /home/me/.cargo/registry/src/index/winit-0.30.13/src/linux/mod.rs:788: Failed to open connection to X server",
+                "Failed to open connection to X server",
+            ),
+            ("C:\\me\\winit\\src\\windows.rs:12:5: no class.", "no class"),
+            ("[a7] GLXBadFBConfig", "[a7] GLXBadFBConfig"),
+            ("two\nlines.", "two lines"),
+        ] {
+            assert_eq!(without_place(said), expected);
+        }
+        for (file, expected) in [
+            (
+                "/home/me/.cargo/registry/src/index/winit-0.30.13/src/linux/mod.rs",
+                "winit-0.30.13/src/linux/mod.rs",
+            ),
+            ("C:\\me\\winit-0.30.13\\src\\window.rs", "winit-0.30.13/src/window.rs"),
+            ("/rustc/0123/library/core/src/option.rs", "core/src/option.rs"),
+            ("src/app/mod.rs", "src/app/mod.rs"),
+            ("build.rs", "build.rs"),
+        ] {
+            assert_eq!(place_in_package(file), expected);
+        }
+    }
+}

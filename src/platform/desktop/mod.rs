@@ -1,0 +1,147 @@
+//! The desktop program: one window, its icon, and a file for what was entered.
+
+#[cfg(all(windows, not(debug_assertions)))]
+mod console;
+mod failure;
+mod placement;
+mod state;
+
+use crate::app::{App, Licenses, Platform};
+use placement::PlacedApp;
+use state::State;
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+const NAME: &str = "Depth Calculator";
+/// What a Linux desktop knows the window by: the class on X11, the application's id on Wayland.
+const ID: &str = "depth-calculator";
+
+/// With arguments answers on the terminal; without any opens the window and runs until it is closed.
+pub fn main() -> ExitCode {
+    if crate::cli::is_asked() {
+        return crate::cli::main();
+    }
+    #[cfg(all(windows, not(debug_assertions)))]
+    if console::leave() {
+        return ExitCode::SUCCESS;
+    }
+    let placement = placement::load();
+    let window = egui::ViewportBuilder::default()
+        .with_title(NAME)
+        .with_app_id(ID)
+        .with_min_inner_size(placement::LEAST)
+        .with_icon(icon().unwrap_or_default());
+    let options = eframe::NativeOptions {
+        viewport: placement.apply(window),
+        ..Default::default()
+    };
+    let is_open = Arc::new(AtomicBool::new(false));
+    let opened = Arc::clone(&is_open);
+    let run = move || {
+        let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
+            let app = App::new(cc, Box::new(Desktop::default()));
+            if let Some(window) = cc.winit_window() {
+                placement.settle(window);
+            }
+            opened.store(true, Ordering::Relaxed);
+            Box::new(PlacedApp::new(app, placement))
+        };
+        eframe::run_native(NAME, options, Box::new(move |cc| Ok(open(cc))))
+    };
+    match failure::heard(run, move || is_open.load(Ordering::Relaxed)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            failure::show(&failure);
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn icon() -> Option<egui::IconData> {
+    let mut reader = png::Decoder::new(std::io::Cursor::new(include_bytes!("../../../assets/icons/icon-256.png")))
+        .read_info()
+        .ok()?;
+    let mut rgba = vec![0; reader.output_buffer_size()?];
+    let info = reader.next_frame(&mut rgba).ok()?;
+    (info.color_type == png::ColorType::Rgba && info.bit_depth == png::BitDepth::Eight).then_some(egui::IconData {
+        rgba,
+        width: info.width,
+        height: info.height,
+    })
+}
+
+/// Keeps the state in its file, and copies through egui.
+struct Desktop {
+    state: State,
+    copied: bool,
+}
+
+impl Default for Desktop {
+    fn default() -> Self {
+        Self {
+            state: State::within(state::folder()),
+            copied: false,
+        }
+    }
+}
+
+impl Platform for Desktop {
+    fn load(&self) -> Result<Option<String>, String> {
+        self.state.load()
+    }
+
+    fn save(&mut self, text: &str) -> Result<(), String> {
+        self.state.save(text)
+    }
+
+    fn set_aside(&mut self) -> Result<Option<String>, String> {
+        self.state.set_aside()
+    }
+
+    fn copy(&mut self, ctx: &egui::Context, text: String) {
+        ctx.copy_text(text);
+        self.copied = true;
+        ctx.request_repaint();
+    }
+
+    fn commit(&self) -> Option<String> {
+        // Set by whoever builds a release.
+        option_env!("DEPTH_CALCULATOR_COMMIT")
+            .filter(|commit| !commit.is_empty())
+            .map(str::to_owned)
+    }
+
+    fn licenses(&self) -> Licenses {
+        // `cargo xtask licenses` writes it.
+        Licenses::Text(include_str!("../../../assets/licenses.txt"))
+    }
+
+    fn copied(&mut self) -> Option<Result<(), String>> {
+        std::mem::take(&mut self.copied).then_some(Ok(()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ID, NAME, icon};
+
+    #[test]
+    fn the_entry_of_a_linux_desktop_is_of_this_window() {
+        let entry = include_str!("../../../assets/linux/depth-calculator.desktop");
+        for line in [
+            format!("StartupWMClass={ID}"),
+            format!("Icon={ID}"),
+            format!("Exec={ID}"),
+            format!("Name={NAME}"),
+            "Terminal=false".to_owned(),
+        ] {
+            assert!(entry.lines().any(|known| known == line), "{line}");
+        }
+    }
+
+    #[test]
+    fn the_window_has_an_icon() {
+        assert!(icon().is_some_and(|icon| (icon.width, icon.height) == (256, 256)));
+    }
+}

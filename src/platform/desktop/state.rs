@@ -1,0 +1,178 @@
+//! What was entered, in a file of the user's configuration folder.
+
+use std::fs::{self, File};
+use std::io::{Error, ErrorKind};
+use std::path::{Path, PathBuf};
+
+/// The folder of everything that the program keeps.
+///
+/// # Errors
+/// A sentence where there is none.
+pub fn folder() -> Result<PathBuf, String> {
+    directories::ProjectDirs::from("", "", "depth-calculator")
+        .map(|folders| folders.config_dir().to_owned())
+        .ok_or_else(|| "There is no home folder to store anything in.".to_owned())
+}
+
+/// Puts `text` in the place of what is in `file`, whose folder is made where it is missing.
+///
+/// # Errors
+/// What the system says. The file is then as it was.
+pub fn replace(file: &Path, text: &str) -> Result<(), Error> {
+    if let Some(folder) = file.parent() {
+        fs::create_dir_all(folder)?;
+    }
+    // Written beside and moved over, so that a crash leaves the old text or the new one, never half of it.
+    let beside = file.with_extension("new");
+    fs::write(&beside, text)?;
+    fs::rename(&beside, file)
+}
+
+/// The file of the state. Its name has the version of the form.
+pub struct State {
+    file: Result<PathBuf, String>,
+}
+
+impl State {
+    /// The file in `folder`.
+    pub fn within(folder: Result<PathBuf, String>) -> Self {
+        Self {
+            file: folder.map(|folder| folder.join("state-v1.json")),
+        }
+    }
+
+    fn file(&self) -> Result<&Path, String> {
+        self.file.as_deref().map_err(Clone::clone)
+    }
+
+    /// The stored text, if there is any.
+    ///
+    /// # Errors
+    /// A sentence that names the file.
+    pub fn load(&self) -> Result<Option<String>, String> {
+        let file = self.file()?;
+        match fs::read(file) {
+            // What is not text is as corrupt as text that is not a state.
+            Ok(bytes) => Ok(Some(String::from_utf8_lossy(&bytes).into_owned())),
+            Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+            Err(error) => Err(format!("What was stored in {} cannot be read: {error}.", file.display())),
+        }
+    }
+
+    /// Stores `text` over what was stored.
+    ///
+    /// # Errors
+    /// A sentence that names the file.
+    pub fn save(&self, text: &str) -> Result<(), String> {
+        let file = self.file()?;
+        replace(file, text).map_err(|error| format!("What you entered cannot be stored in {}: {error}.", file.display()))
+    }
+
+    /// Moves the file, byte for byte, to a name beside it that nothing has: `state-v1.old`, then `state-v1.old-2` and so on.
+    /// Returns where it is then, as the end of a sentence, or nothing where there is no file.
+    ///
+    /// # Errors
+    /// A sentence that names the file, which is then where it was.
+    pub fn set_aside(&self) -> Result<Option<String>, String> {
+        let file = self.file()?;
+        if matches!(fs::symlink_metadata(file), Err(error) if error.kind() == ErrorKind::NotFound) {
+            return Ok(None);
+        }
+        let moved = claim(file).and_then(|aside| match fs::rename(file, &aside) {
+            Ok(()) => Ok(aside),
+            Err(error) => {
+                // Only the empty file that kept the name.
+                fs::remove_file(&aside)?;
+                Err(error)
+            }
+        });
+        match moved {
+            Ok(aside) => Ok(Some(format!("in the file {}", aside.display()))),
+            Err(error) => Err(format!("{} cannot be renamed: {error}.", file.display())),
+        }
+    }
+}
+
+/// Makes an empty file beside `file`, so that the name is nobody else's.
+fn claim(file: &Path) -> Result<PathBuf, Error> {
+    let endings = std::iter::once("old".to_owned()).chain((2_u32..).map(|number| format!("old-{number}")));
+    for aside in endings.map(|ending| file.with_extension(ending)) {
+        match File::create_new(&aside) {
+            Ok(_empty) => return Ok(aside),
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Err(ErrorKind::AlreadyExists.into())
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    /// An empty folder of this test alone.
+    fn folder(name: &str) -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("depth-calculator-{}-{name}", std::process::id()));
+        if folder.exists() {
+            fs::remove_dir_all(&folder).unwrap();
+        }
+        folder
+    }
+
+    #[test]
+    fn what_is_saved_is_loaded_and_nothing_else_is_left_behind() {
+        let folder = folder("saved");
+        let state = State::within(Ok(folder.clone()));
+        assert_eq!(state.load(), Ok(None));
+        state.save("first").unwrap();
+        state.save("second").unwrap();
+        assert_eq!(state.load(), Ok(Some("second".to_owned())));
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn what_is_set_aside_keeps_every_byte_and_is_never_overwritten() {
+        let folder = folder("aside");
+        let state = State::within(Ok(folder.clone()));
+        assert_eq!(state.set_aside(), Ok(None));
+        let names = ["state-v1.old", "state-v1.old-2", "state-v1.old-3"];
+        let texts: [&[u8]; 3] = [b"not a state", b"\xff\xfe not even text", b""];
+        fs::create_dir_all(&folder).unwrap();
+        for (name, bytes) in names.iter().zip(texts) {
+            fs::write(folder.join("state-v1.json"), bytes).unwrap();
+            assert_eq!(state.set_aside(), Ok(Some(format!("in the file {}", folder.join(name).display()))));
+            assert_eq!(state.load(), Ok(None), "moved, so that it is not set aside again at the next start");
+            state.save("a good state").unwrap();
+        }
+        for (name, bytes) in names.iter().zip(texts) {
+            assert_eq!(fs::read(folder.join(name)).unwrap(), bytes);
+        }
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn what_cannot_be_moved_stays_and_leaves_no_empty_file() {
+        let folder = folder("stays");
+        let state = State::within(Ok(folder.clone()));
+        // A folder in the place of the file: it cannot be read, nor take the name of a file.
+        fs::create_dir_all(folder.join("state-v1.json")).unwrap();
+        assert!(state.load().unwrap_err().contains("state-v1.json"));
+        if let Err(reason) = state.set_aside() {
+            assert!(reason.contains("state-v1.json"), "{reason}");
+            assert!(folder.join("state-v1.json").is_dir());
+            assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+        }
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn without_a_home_every_answer_says_so() {
+        let state = State::within(Err("There is no home.".to_owned()));
+        let expected = "There is no home.";
+        assert_eq!(state.load().unwrap_err(), expected);
+        assert_eq!(state.save("text").unwrap_err(), expected);
+        assert_eq!(state.set_aside().unwrap_err(), expected);
+    }
+}
