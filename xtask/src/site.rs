@@ -11,11 +11,12 @@ use std::fs;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::Path;
 
-use crate::dist::collect_files;
+use crate::dist::{collect_files, commit};
 use crate::step::root;
 
 const PROGRAM_PAGE: &str = "index.html";
 const LEARN_PAGE: &str = "learn.html";
+const LICENSES_PAGE: &str = "licenses.html";
 const WORKER: &str = "sw.js";
 
 /// Copied as they are: from assets/, to dist/.
@@ -30,8 +31,8 @@ const COPIES: &[(&str, &str)] = &[
     ("fonts/DejaVu-LICENSE.txt", "fonts/DejaVu-LICENSE.txt"),
 ];
 
-/// What a visitor's browser never asks for. It keeps everything else.
-const NOT_FOR_VISITORS: &[&str] = &[WORKER, HEADERS, "og.png", "robots.txt", "sitemap.xml"];
+/// What a visitor's browser does not ask for, unless the visitor does. It keeps everything else.
+const NOT_FOR_VISITORS: &[&str] = &[WORKER, HEADERS, LICENSES_PAGE, "og.png", "robots.txt", "sitemap.xml"];
 
 /// Read by some hosts, and served by none of those.
 const HEADERS: &str = "_headers";
@@ -66,8 +67,10 @@ fn build_at(dist: &Path, url: Option<&str>) -> Result<(), String> {
 
     let program = read(&dist.join(PROGRAM_PAGE))?;
     let policy = policy(&program)?.to_owned();
-    let learn = learn_page(&assets, dist, &policy)?;
+    let style = style(&assets, dist)?;
+    let learn = learn_page(&assets, &style, &policy)?;
     write(dist, LEARN_PAGE, addressed(&learn, url, LEARN_PAGE)?)?;
+    write(dist, LICENSES_PAGE, licenses_page(&assets, &style, &policy)?)?;
     write(dist, "robots.txt", robots(url))?;
     match url {
         Some(url) => write(dist, "sitemap.xml", sitemap(url))?,
@@ -77,6 +80,11 @@ fn build_at(dist: &Path, url: Option<&str>) -> Result<(), String> {
     }
 
     let program = addressed(&program, url, "")?;
+    let program = replace_once(
+        &program,
+        "<meta name=\"commit\" content=\"\">",
+        &format!("<meta name=\"commit\" content=\"{}\">", commit().unwrap_or_default()),
+    )?;
     write(dist, PROGRAM_PAGE, &program)?;
     let worker = read(&assets.join("web").join(WORKER))?;
     let build = build_id(dist, &worker)?;
@@ -99,17 +107,29 @@ fn policy(page: &str) -> Result<&str, String> {
         .ok_or_else(|| format!("{PROGRAM_PAGE} has no Content-Security-Policy."))
 }
 
-fn learn_page(assets: &Path, dist: &Path, policy: &str) -> Result<String, String> {
+/// Writes the style of the pages that need no program. Returns its name.
+fn style(assets: &Path, dist: &Path) -> Result<String, String> {
     let style = read(&assets.join("web/learn.css"))?;
     let mut hasher = DefaultHasher::new();
     style.hash(&mut hasher);
-    let style_name = format!("learn-{:016x}.css", hasher.finish());
-    write(dist, &style_name, style)?;
+    let name = format!("learn-{:016x}.css", hasher.finish());
+    write(dist, &name, style)?;
+    Ok(name)
+}
 
+/// The texts of assets/licenses.txt.
+fn licenses_page(assets: &Path, style: &str, policy: &str) -> Result<String, String> {
+    let page = read(&assets.join("web").join(LICENSES_PAGE))?;
+    let page = replace_once(&page, "{policy}", policy)?;
+    let page = replace_once(&page, "{style}", style)?;
+    replace_once(&page, "{text}", &escaped(&read(&assets.join("licenses.txt"))?))
+}
+
+fn learn_page(assets: &Path, style: &str, policy: &str) -> Result<String, String> {
     let learn = learn::read(&read(&assets.join("learn.md"))?)?;
     let page = read(&assets.join("web").join(LEARN_PAGE))?;
     let page = replace_once(&page, "{policy}", policy)?;
-    let page = replace_once(&page, "{style}", &style_name)?;
+    let page = replace_once(&page, "{style}", style)?;
     let page = replace_once(&page, "{questions}", &learn.structured_data())?;
     let page = replace_once(&page, "{contents}", &learn.contents())?;
     // Last, because what it brings in is not ours to search for places.
@@ -347,6 +367,25 @@ mod tests {
     }
 
     #[test]
+    fn the_licenses_are_a_page_of_their_own_and_the_program_knows_its_commit() {
+        let dist = Dist::built("licenses", None);
+        let page = dist.text("licenses.html");
+        for part in ["MPL-2.0", "SIL Open Font License", "  egui ", "default-src 'none'"] {
+            assert!(page.contains(part), "{part}");
+        }
+        assert!(!page.contains("<script") && !page.contains("{text}") && !page.contains("<me@"));
+        let program = dist.text("index.html");
+        let commit = program
+            .split_once("<meta name=\"commit\" content=\"")
+            .unwrap()
+            .1
+            .split_once('"')
+            .unwrap()
+            .0;
+        assert_eq!(commit, crate::dist::commit().unwrap_or_default());
+    }
+
+    #[test]
     fn the_service_worker_keeps_every_file_that_a_visitor_needs() {
         let dist = Dist::built("worker", Some(URL));
         let worker = dist.text("sw.js");
@@ -362,7 +401,7 @@ mod tests {
         }
         let listed: BTreeSet<String> = pairs.into_iter().map(|(name, _)| name).collect();
         let mut there: BTreeSet<String> = names(&dist.0).unwrap().into_iter().collect();
-        for not_for_visitors in ["sw.js", "_headers", "og.png", "robots.txt", "sitemap.xml"] {
+        for not_for_visitors in ["sw.js", "_headers", "licenses.html", "og.png", "robots.txt", "sitemap.xml"] {
             assert!(there.remove(not_for_visitors), "{not_for_visitors}");
         }
         assert!(there.remove("index.html") && there.insert("./".to_owned()));
