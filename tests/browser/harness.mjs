@@ -11,8 +11,10 @@ const engine = ENGINES[settings.engine];
 /** Names of the tests of the file that is being read, while tests are listed. */
 export const listed = [];
 
-export const before = settings.lists ? () => {} : nodeBefore;
-export const after = settings.lists ? () => {} : nodeAfter;
+/** What comes before and after the tests of a file. Without a test there is neither: node would do the first and never the second. */
+const hooks = [];
+export const before = (work) => hooks.push(() => nodeBefore(work));
+export const after = (work) => hooks.push(() => nodeAfter(work));
 
 /** Why the chosen engine cannot do this (a name in `cannot` of an engine), false if it can. */
 export function unless(ability) {
@@ -33,5 +35,6 @@ export function it(name, ...rest) {
   }
   if (engines && !engines.includes(settings.engine)) return;
   if (settings.names.length > 0 && !settings.names.includes(name)) return;
+  for (const hook of hooks.splice(0)) hook();
   test(name, { skip: needs.map(unless).find(Boolean) ?? false }, run);
 }

@@ -27,10 +27,11 @@ const TYPES = {
  * `programs` says what happens to the WebAssembly file: 'sent', 'missing' (404), 'cut' (the connection
  * ends in the middle), 'held' (in twentieths, as many as `pieces` says so far), 'broken' (not a program) or 'old type' (sent with a wrong type).
  * `changed` holds, by a file's name, what to make of its text before it is sent, perhaps later; `added` the texts of scripts that
- * are not in the folder.
+ * are not in the folder. The worker waits for this server as long as need be, unless it is `impatient`, as it is elsewhere: how fast
+ * this computer is just now is no part of a test.
  */
 export async function startServer() {
-  const state = { programs: 'sent', pieces: 0, changed: new Map(), added: new Map() };
+  const state = { programs: 'sent', pieces: 0, impatient: false, changed: new Map(), added: new Map() };
   /** A page from a port that was used before would find what that one left in the browser. */
   const used = new Set();
   let server;
@@ -71,7 +72,8 @@ export async function startServer() {
       const name = pathname.startsWith(BASE) ? pathname.slice(BASE.length) || 'index.html' : undefined;
       const file = name && path.join(DIST, name);
       if (!file?.startsWith(DIST + path.sep)) throw new Error('outside');
-      const content = state.added.get(name) ?? (await readFile(file));
+      let content = state.added.get(name) ?? (await readFile(file));
+      if (name === 'sw.js' && !state.impatient) content = content.toString().replace(/PATIENCE_MS = \d+/, 'PATIENCE_MS = 600_000');
       response.setHeader('content-type', TYPES[path.extname(file)] ?? 'application/octet-stream');
       response.setHeader('cache-control', 'no-store');
       // Whoever is asked learns that this page asks: the proxy tells it from the browser by that.
@@ -111,7 +113,7 @@ export async function startServer() {
     /** An origin that no page has been at, and files as they are: what a page has stored, kept or allowed is not there. */
     async renew() {
       close();
-      Object.assign(state, { programs: 'sent', pieces: 0 });
+      Object.assign(state, { programs: 'sent', pieces: 0, impatient: false });
       state.changed.clear();
       state.added.clear();
       await listen();

@@ -151,6 +151,7 @@ it('a storage of the worker that fails does not keep the network away', { engine
 
 it('a server that keeps silent does not keep anybody waiting for long', async (test) => {
   const page = await bench.page(test);
+  bench.server.state.impatient = true;
   await page.start();
   await kept(page);
   let asked = false;

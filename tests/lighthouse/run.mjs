@@ -1,5 +1,6 @@
-// Audits the page in DIST with Lighthouse in the browser CHROMIUM: five times as a desktop computer, five times as a phone.
-// Prints medians and what costs points; fails below the scores in floors.json.
+// Audits the page with Lighthouse, several times as a desktop computer and as often as a phone, for `cargo xtask lighthouse`.
+// Prints medians and what costs points. Fails below the scores in floors.json: those of speed only on a machine that is as fast as
+// the one they were made for, by Lighthouse's own measure (benchmarkIndex); on a slower one they are reported.
 
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -7,8 +8,11 @@ import { launch } from 'chrome-launcher';
 import lighthouse, { desktopConfig, defaultConfig } from 'lighthouse';
 import { startServer } from './server.mjs';
 
-const DIST = path.resolve(process.env.DIST ?? path.join(import.meta.dirname, '../../dist'));
-const RUNS = Number(process.env.RUNS ?? 5);
+if (!process.env.LIGHTHOUSE) throw new Error('Run this with `cargo xtask lighthouse`, which finds the browser and builds the page.');
+/** The folder of the page, the browser, and how many audits there are for each device. */
+const { dist: DIST, browser: BROWSER, runs: RUNS } = JSON.parse(process.env.LIGHTHOUSE);
+/** What a machine's speed has a part in. */
+const SPEED = 'performance';
 const CONFIGS = { desktop: desktopConfig, mobile: defaultConfig };
 const TIMES = ['first-contentful-paint', 'largest-contentful-paint', 'total-blocking-time', 'speed-index', 'interactive'];
 /** An audit below this is shown as a cause. */
@@ -30,7 +34,7 @@ const points = (category) => Math.round((category.score ?? 0) * 100);
 
 /** One audit by a browser that has seen nothing before. */
 async function audit(url, config) {
-  const chrome = await launch({ chromePath: process.env.CHROMIUM, chromeFlags: FLAGS });
+  const chrome = await launch({ chromePath: BROWSER, chromeFlags: FLAGS });
   try {
     const { lhr } = await lighthouse(url, { port: chrome.port, output: 'json', logLevel: 'error' }, config);
     if (lhr.runtimeError) throw new Error(`Lighthouse could not audit the page: ${lhr.runtimeError.message}`);
@@ -80,12 +84,16 @@ try {
     const reports = [];
     for (let run = 0; run < RUNS; run += 1) reports.push(await audit(server.url, config));
 
-    console.log(`\n${device}, medians of ${RUNS}`);
+    const speed = median(reports.map((report) => report.environment.benchmarkIndex));
+    const isFast = speed >= floors.benchmarkIndex;
+    console.log(`\n${device}, medians of ${RUNS}; this machine: ${Math.round(speed)}, the one of the floors: ${floors.benchmarkIndex}`);
     for (const [category, floor] of Object.entries(floors[device])) {
       const scores = reports.map((report) => points(report.categories[category]));
       const score = median(scores);
       console.log(`  ${category.padEnd(26)} ${String(score).padStart(5)}   floor ${floor}   each ${scores.join(' ')}`);
-      if (score < floor) failures.push(`${device}: ${category} is ${score}, below ${floor}.`);
+      if (score >= floor) continue;
+      if (isFast || category !== SPEED) failures.push(`${device}: ${category} is ${score}, below ${floor}.`);
+      else console.log(`  ${category} is below its floor, which is not judged: this machine is slower than the one it was made for.`);
     }
     for (const time of TIMES) {
       const values = reports.map((report) => report.audits[time].numericValue);

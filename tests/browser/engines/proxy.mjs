@@ -4,6 +4,7 @@
 import { once } from 'node:events';
 import { createServer as createHttp } from 'node:http';
 import { createServer as createHttps } from 'node:https';
+import { connect } from 'node:net';
 import { generate } from 'selfsigned';
 
 /** The pages of these tests; their server lets them say so to everybody (Referrer-Policy: unsafe-url). */
@@ -40,20 +41,23 @@ export async function startProxy() {
     // A browser that is ended hangs up.
     socket.on('error', () => {});
     socket.once('data', (first) => {
-      socket.pause();
-      socket.unshift(first);
-      (first[0] === TLS ? secure : plain).emit('connection', socket);
-      socket.resume();
+      const inner = connect((first[0] === TLS ? secure : plain).address().port, '127.0.0.1');
+      inner.on('error', () => socket.destroy());
+      inner.write(first);
+      socket.pipe(inner).pipe(socket);
     });
     socket.write('HTTP/1.1 200 Connection established\r\n\r\n');
   });
-  for (const one of [server, secure, plain]) one.on('clientError', (error, socket) => socket.destroy());
-  secure.on('tlsClientError', () => {});
-  server.listen(0, '127.0.0.1');
-  await once(server, 'listening');
+  for (const one of [server, secure, plain]) {
+    one.on('clientError', (error, socket) => socket.destroy());
+    one.listen(0, '127.0.0.1');
+    await once(one, 'listening');
+  }
   const close = () => {
-    for (const one of [server, secure, plain]) one.closeAllConnections();
-    server.close();
+    for (const one of [server, secure, plain]) {
+      one.closeAllConnections();
+      one.close();
+    }
   };
   return { asked, port: server.address().port, close };
 }
