@@ -37,7 +37,7 @@ fn synopsis(root: &Command) -> String {
     alone.into_iter().chain(commands).collect::<Vec<_>>().join("\n")
 }
 
-/// `command` with its arguments: "completions <SHELL>".
+/// `command` with its arguments: `completions <SHELL>`.
 fn call(command: &Command) -> String {
     let values: String = command
         .get_positionals()

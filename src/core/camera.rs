@@ -28,7 +28,7 @@ pub fn focal_length_from_sensor_width(lens: Length, sensor_width: Length, image_
 }
 
 /// Focal length in pixels from a field of view and the extent of the image along the same direction,
-/// f = (extent/2)/tan(view/2): horizontal with the width, vertical with the height, [diagonal](diagonal) with the diagonal.
+/// f = (extent/2)/tan(view/2): horizontal with the width, vertical with the height, [`diagonal`] with the diagonal.
 ///
 /// `None` unless the view lies between 0° and 180°. For a principal point in the middle of the image; a data sheet's
 /// field of view is often that of the unrectified image.

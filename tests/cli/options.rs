@@ -126,7 +126,7 @@ fn a_forgotten_value_is_not_the_next_option() {
 #[test]
 fn a_refusal_keeps_the_tip_that_helps() {
     assert!(refused("calculate --fxx 7").contains("a similar argument exists: '--fx'"));
-    assert!(refused("calculat").contains("a similar subcommand exists: 'calculate'"));
+    assert!(refused("calculates").contains("a similar subcommand exists: 'calculate'"));
     assert!(refused("calculate --unit km").contains("[possible values: mm, cm, m, in, ft]"));
     assert!(refused("completions").contains("<SHELL>"));
     assert!(refused("completions tcsh").contains("bash"));

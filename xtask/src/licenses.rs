@@ -74,7 +74,7 @@ pub(crate) fn write() -> Result<(), String> {
     Ok(())
 }
 
-/// Err: a sentence, where the file is not what [`write`] would write.
+/// Err: a sentence, where the file is not what [`write()`] would write.
 pub(crate) fn check() -> Result<(), String> {
     // A checkout on Windows may have other ends of lines.
     let kept = fs::read_to_string(root().join(FILE)).unwrap_or_default().replace("\r\n", "\n");

@@ -89,10 +89,10 @@ fn build(triple: &str) -> Result<PathBuf, String> {
 /// Err: a sentence, where the program names a folder of this computer.
 fn find_names(program: &Path) -> Result<(), String> {
     let content = fs::read(program).map_err(|error| format!("{} cannot be read: {error}.", program.display()))?;
-    let own = [std::env::home_dir(), cargo_home(), Some(root())];
+    let own = [std::env::home_dir(), cargo_home(), Some(tools::sysroot()?), Some(root())];
     for folder in own.into_iter().flatten() {
-        // The root of the disk is nobody's name.
-        let Some(name) = folder.to_str().filter(|name| name.len() > 1) else {
+        // A short one, such as /root, is also a word of D-Bus; what it holds is looked for by itself.
+        let Some(name) = folder.to_str().filter(|_| folder.components().count() > 2) else {
             continue;
         };
         let count = occurrences(&content, name.as_bytes());
