@@ -180,7 +180,11 @@ impl Calculate {
         let missing = inputs.missing();
         let missing = missing.iter().filter(|note| assessment.note(note.field).is_none());
         let mut warnings: Vec<Warning> = assessment.notes.iter().chain(missing).map(Warning::of).collect();
-        warnings.extend(self.unused(solution));
+        let unused = self.unused(solution);
+        // What there is a better sentence about is not mentioned again.
+        let is_new = |unused: &Warning| warnings.iter().all(|warning| warning.field != unused.field);
+        let unused: Vec<Warning> = unused.into_iter().filter(is_new).collect();
+        warnings.extend(unused);
         if self.json {
             return json::answer(solution, &warnings).map(Reply::without_warnings);
         }
@@ -222,7 +226,7 @@ impl Calculate {
         format!("No distance can be computed. Add {} (see --help).", ways.join(", or "))
     }
 
-    /// What was typed and plays no part in the answer, without a note about it elsewhere.
+    /// What was typed and plays no part in the answer.
     fn unused(&self, solution: &Solution) -> Vec<Warning> {
         let typed = |field, part| self.typed(field, part).is_some();
         let is_stereo = solution.stereo.distance().is_some() || Method::Stereo.own_fields().iter().any(|&field| typed(field, Part::Value));

@@ -33,9 +33,9 @@ pub(super) fn significant(value: f64, digits: u8) -> String {
     rounded(value, i32::from(digits) - 1 - exponent.unwrap_or(0))
 }
 
-/// `value` as someone would type it: up to 12 significant digits and no trailing zeros.
-pub(super) fn plain(value: f64) -> String {
-    let text = significant(value, 12);
+/// `value` as someone would type it: up to `digits` significant digits and no trailing zeros.
+pub(super) fn plain(value: f64, digits: u8) -> String {
+    let text = significant(value, digits);
     let (mantissa, exponent) = text.find('e').and_then(|at| text.split_at_checked(at)).unwrap_or((&text, ""));
     if !mantissa.contains('.') {
         return text;
@@ -97,7 +97,7 @@ mod tests {
             (1_234_567.5, "1234567.5"),
             (1e-300, "1e-300"),
         ] {
-            assert_eq!(plain(value), expected);
+            assert_eq!(plain(value, 12), expected);
         }
     }
 

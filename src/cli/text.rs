@@ -1,12 +1,17 @@
 //! The answer for people, and for `head -1`: each distance starts its line with the number, the one to use first.
 
 use super::digits::{in_sentence, plain, rounded, significant};
+use crate::core::agreement::Verdict;
 use crate::core::problem::{Field, Known, Method, Solution};
 use crate::core::quantity::{Length, LengthUnit};
 use crate::formats::report;
 
 /// Significant digits of a number without σ.
 const DIGITS: u8 = 4;
+/// Of a number that stands as it was typed, at most.
+const TYPED_DIGITS: u8 = 12;
+/// Of a length that may have been typed in another unit: 120 mm are 4.7244094 in.
+const CONVERTED_DIGITS: u8 = 8;
 
 const FIRST_ORDER_IS_POOR: &str =
     "The pixels are known to worse than 10 %: plus or minus σ is a poor description here, the interval is right.";
@@ -14,7 +19,12 @@ const FIRST_ORDER_IS_POOR: &str =
 /// The answer with its lengths in `unit`, a line each.
 pub(super) fn answer(solution: &Solution, unit: LengthUnit) -> String {
     let mut lines = Vec::new();
-    let combined = solution.together.as_ref().and_then(|together| together.combined);
+    // Two distances that contradict each other have nothing in between that could be right.
+    let compatible = solution
+        .together
+        .as_ref()
+        .filter(|together| together.agreement.verdict != Some(Verdict::Disagree));
+    let combined = compatible.and_then(|together| together.combined);
     if let Some(combined) = combined {
         let value = with_sigma(Length::from_m(combined.value), Length::from_m(combined.sigma), unit);
         lines.push(format!("{value} (combined, the shared focal length accounted for)"));
@@ -92,8 +102,14 @@ fn widths(solution: &Solution, unit: LengthUnit) -> Vec<String> {
 /// The right side of the formula: "700 px · 0.1 m / 50 px".
 fn formula_with_numbers(solution: &Solution, method: Method, unit: LengthUnit) -> Option<String> {
     let number = |field: Field| solution.problem.get(field);
-    let px = |field: Field| Some(format!("{} px", plain(number(field)?)));
-    let length = |field: Field| Some(format!("{} {}", plain(Length::from_m(number(field)?).in_unit(unit)), unit.symbol()));
+    let px = |field: Field| Some(format!("{} px", plain(number(field)?, TYPED_DIGITS)));
+    let length = |field: Field| {
+        Some(format!(
+            "{} {}",
+            plain(Length::from_m(number(field)?).in_unit(unit), CONVERTED_DIGITS),
+            unit.symbol()
+        ))
+    };
     let (first, second) = match method {
         Method::Stereo => (px(Field::FocalLength)?, length(Field::Baseline)?),
         Method::Monocular => (length(Field::RealWidth)?, px(Field::FocalLength)?),
@@ -103,7 +119,7 @@ fn formula_with_numbers(solution: &Solution, method: Method, unit: LengthUnit) -
         (Method::Stereo, None) => px(Field::Disparity)?,
         (Method::Stereo, Some(doffs)) => {
             let sign = if doffs < 0.0 { '-' } else { '+' };
-            format!("({} {sign} {} px)", px(Field::Disparity)?, plain(doffs.abs()))
+            format!("({} {sign} {} px)", px(Field::Disparity)?, plain(doffs.abs(), TYPED_DIGITS))
         }
     };
     Some(format!("{first} · {second} / {divisor}"))

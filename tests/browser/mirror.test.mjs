@@ -336,7 +336,7 @@ it('About names the commit and leads to the licenses on a page of their own', as
   await page.run("document.querySelector('meta[name=commit]').content = '0123456789abcdef'; window.open = (address) => { document.body.dataset.opened = address; return window; }");
   await page.press('Keys');
   await page.press('About Depth Calculator');
-  await page.says(/Version \d+\.\d+\.\d+, commit 0123456\./);
+  await page.says(/Version \d+\.\d+\.\d+, commit 0123456789abcdef\./);
   await page.press('Licenses of the fonts and of every library in it');
   assert.equal(await until('the page', () => page.run('return document.body.dataset.opened')), 'licenses.html');
   await page.press('Close');

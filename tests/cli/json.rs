@@ -80,3 +80,10 @@ fn half_of_the_other_method_is_a_warning() {
     let unusual = json("--fx 700 --baseline 0.1 --disparity 50");
     assert_eq!(unusual["warnings"][0]["field"], "baseline");
 }
+
+#[test]
+fn an_option_that_cannot_be_read_is_warned_of_once() {
+    let answer = json(&format!("{MUG} --w-img 100 --sigma-w-real abc"));
+    let named = |warning: &&serde_json::Value| warning["field"] == "sigma-w-real";
+    assert_eq!(answer["warnings"].as_array().unwrap().iter().filter(named).count(), 1);
+}

@@ -146,9 +146,9 @@ fn every_length_of_the_text_is_in_the_unit_asked_for_and_json_in_meters() {
             [
                 "55.12 ± 0.61 in",
                 "54.49 to 55.76 in",
-                "· 3.93700787402 in /",
+                "· 3.9370079 in /",
                 "54.04 to 56.24 in",
-                "= 11.811023622 in",
+                "= 11.811024 in",
                 "11.81 in",
             ],
         ),
@@ -157,9 +157,9 @@ fn every_length_of_the_text_is_in_the_unit_asked_for_and_json_in_meters() {
             [
                 "4.593 ± 0.051 ft",
                 "4.541 to 4.647 ft",
-                "· 0.328083989501 ft /",
+                "· 0.32808399 ft /",
                 "4.503 to 4.687 ft",
-                "= 0.984251968504 ft",
+                "= 0.98425197 ft",
                 "0.9843 ft",
             ],
         ),
@@ -179,4 +179,22 @@ fn every_length_of_the_text_is_in_the_unit_asked_for_and_json_in_meters() {
         }
         near(&json(&format!("{arguments} --unit {unit}"))["stereo"]["distance_m"], 1.4, 1e-12);
     }
+}
+
+/// 1.4 m against 14 m, 8 σ and more apart: nothing between them is an answer.
+#[test]
+fn distances_that_contradict_each_other_are_not_combined() {
+    let (lines, _) = text(&format!(
+        "calculate {}",
+        "--fx 700 --baseline 100mm --disparity 50 --sigma-disparity 0.5 --w-img 150 --w-real 3 --sigma-w-img 1"
+    ));
+    assert_eq!(lines[0], "1.400 ± 0.014 m (stereo)");
+    assert!(!lines.iter().any(|line| line.contains("combined")), "{lines:?}");
+    assert!(lines.iter().any(|line| line.contains("disagree")), "{lines:?}");
+}
+
+#[test]
+fn a_length_in_another_unit_than_typed_has_no_digits_that_nobody_needs() {
+    let (lines, _) = text(&format!("calculate {}", "--fx 700 --baseline 120mm --disparity 42 --unit in"));
+    assert!(lines.iter().any(|line| line.contains("4.7244094 in")), "{lines:?}");
 }

@@ -1,8 +1,9 @@
 """The desktop program as assistive technology meets it on Linux: through AT-SPI, by role and name.
 
-Usage: dbus-run-session -- python3 assistive.py PROGRAM
-Needs Xvfb, at-spi2-core and the GObject bindings of Atspi. Everything is started anew and ends with this script; nothing is read
-from or written into the folders of whoever runs it, and no window opens on their screen.
+Usage: python3 assistive.py PROGRAM
+Needs Xvfb, dbus-run-session, at-spi2-core and the GObject bindings of Atspi. Everything is started anew and ends with this script.
+Nothing is read from or written into the folders and settings of whoever runs it, and no window opens on their screen: the script
+runs itself again inside a D-Bus session whose services know only a folder and a screen of their own.
 """
 
 import os
@@ -42,13 +43,19 @@ class Screen:
 
 
 def own_environment(home, display):
-    """Variables that keep the program away from the desktop and the files of whoever runs this."""
-    folders = {"HOME": home}
+    """The environment without the desktop and the folders of whoever runs this."""
+    other = ("WAYLAND_DISPLAY", "WAYLAND_SOCKET", "DBUS_SESSION_BUS_ADDRESS", "AT_SPI_BUS_ADDRESS")
+    environment = {name: value for name, value in os.environ.items() if name not in other}
     for name in ("CONFIG", "DATA", "CACHE", "STATE"):
-        folders[f"XDG_{name}_HOME"] = str(Path(home, name.lower()))
-    os.environ.pop("WAYLAND_DISPLAY", None)
-    os.environ.pop("WAYLAND_SOCKET", None)
-    return folders | {"DISPLAY": f":{display}", "XDG_SESSION_TYPE": "x11", "LIBGL_ALWAYS_SOFTWARE": "1"}
+        environment[f"XDG_{name}_HOME"] = str(Path(home, name.lower()))
+    # Settings of the desktop, such as that there is a screen reader, are not stored at all.
+    return environment | {
+        "HOME": home,
+        "DISPLAY": f":{display}",
+        "GSETTINGS_BACKEND": "memory",
+        "XDG_SESSION_TYPE": "x11",
+        "LIBGL_ALWAYS_SOFTWARE": "1",
+    }
 
 
 def announce_screen_reader():
@@ -140,24 +147,42 @@ def use(program, home):
     program.until(f"the inputs in {stored}", lambda: stored.is_file() and '"950"' in stored.read_text(encoding="utf-8"))
 
 
-def main():
-    started = []
-    with tempfile.TemporaryDirectory() as home, tempfile.TemporaryFile("w+", encoding="utf-8") as errors:
+def end(process):
+    """Ends a process, whatever it is doing."""
+    process.terminate()
+    try:
+        process.wait(PATIENCE_S)
+    except subprocess.TimeoutExpired:
+        process.kill()
+
+
+def inside_session(path, home):
+    """The test, in a D-Bus session of its own."""
+    with tempfile.TemporaryFile("w+", encoding="utf-8") as errors:
+        announce_screen_reader()
+        program = Program(path, errors)
         try:
-            screen = Screen()
-            started.append(screen.process)
-            os.environ.update(own_environment(home, screen.display))
-            announce_screen_reader()
-            program = Program(sys.argv[1], errors)
-            started.append(program.process)
             Atspi.init()
             use(program, home)
             program.check()
         finally:
-            for process in reversed(started):
-                process.terminate()
-                process.wait(10)
+            end(program.process)
     print("Assistive technology finds, fills in, presses and reads the desktop program.")
+
+
+def main():
+    path, *home = sys.argv[1:]
+    if home:
+        inside_session(path, home[0])
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        screen = Screen()
+        try:
+            session = ["dbus-run-session", "--", sys.executable, "-W", "ignore", __file__, path, folder]
+            code = subprocess.run(session, env=own_environment(folder, screen.display), check=False).returncode
+        finally:
+            end(screen.process)
+    sys.exit(code)
 
 
 main()

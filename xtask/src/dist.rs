@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::files::collect_files;
+use crate::origin::{cargo_home, nameless};
 use crate::prerequisites::{self, Needs};
 use crate::step::{command, output, root, run, step};
 use crate::{site, tools};
@@ -12,11 +14,7 @@ pub(crate) const BUILD_BYTES: u64 = 2_000_000_000;
 
 /// Builds the page and prints the size of every file.
 pub(crate) fn print() -> Result<(), String> {
-    prerequisites::check(Needs {
-        node: false,
-        build_bytes: BUILD_BYTES,
-    })?;
-    let dist = build()?;
+    let dist = checked_build(false)?;
     let mut files = Vec::new();
     collect_files(&dist, &mut files).map_err(|error| format!("dist/ cannot be read: {error}."))?;
     files.sort();
@@ -49,6 +47,15 @@ fn cell(size: Option<&u64>) -> String {
     size.map_or_else(|| "-".to_owned(), u64::to_string)
 }
 
+/// Builds the page as [`build`] does, after a look at what that needs, and Node.js where it is used afterwards.
+pub(crate) fn checked_build(node: bool) -> Result<PathBuf, String> {
+    prerequisites::check(Needs {
+        node,
+        build_bytes: BUILD_BYTES,
+    })?;
+    build()
+}
+
 /// Builds the page into dist/, whose path it returns.
 pub(crate) fn build() -> Result<PathBuf, String> {
     let (trunk, path) = tools::for_page()?;
@@ -65,30 +72,6 @@ pub(crate) fn build() -> Result<PathBuf, String> {
         site::build(&dist)?;
         Ok(dist)
     })
-}
-
-/// Where cargo keeps the crates.
-pub(crate) fn cargo_home() -> Option<PathBuf> {
-    let named = std::env::var_os("CARGO_HOME").map(PathBuf::from);
-    named.or_else(|| Some(std::env::home_dir()?.join(".cargo")))
-}
-
-/// The flags that keep folders of this computer, and with them the name of whoever builds, out of the program's panic
-/// messages: each is called by the word beside it. `None` where cargo would cut a folder in two at its space.
-pub(crate) fn nameless(folders: &[(Option<PathBuf>, &str)]) -> Option<String> {
-    let flags = folders.iter().filter_map(|(folder, word)| Some((folder.as_ref()?, word)));
-    let flags: Vec<String> = flags
-        .map(|(folder, word)| format!("--remap-path-prefix={}={word}", folder.display()))
-        .collect();
-    (!flags.iter().any(|flag| flag.contains(' '))).then(|| flags.join(" "))
-}
-
-/// The commit that is built, short; with a plus where files differ from it. `None` outside a repository.
-pub(crate) fn commit() -> Option<String> {
-    let git = |arguments: &[&str]| output(&mut command("git", arguments));
-    let commit = git(&["rev-parse", "--short=12", "HEAD"])?;
-    let changed = git(&["status", "--porcelain", "--untracked-files=no"]).is_some_and(|changes| !changes.is_empty());
-    Some(if changed { format!("{commit}+") } else { commit })
 }
 
 /// Tells the page how large its program is: a host that compresses does not say so, and the bar needs an end.
@@ -109,19 +92,6 @@ fn write_program_size(dist: &Path) -> Result<(), String> {
     }
     fs::write(&page, html.replace(PLACE, &format!("{PLACE} data-bytes=\"{size}\"")))
         .map_err(|error| format!("dist/index.html cannot be written: {error}."))
-}
-
-/// Adds the files in `folder` and below to `files`.
-pub(crate) fn collect_files(folder: &Path, files: &mut Vec<PathBuf>) -> std::io::Result<()> {
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.is_dir() {
-            collect_files(&path, files)?;
-        } else {
-            files.push(path);
-        }
-    }
-    Ok(())
 }
 
 /// How large each file is as a good host sends it; empty without Node.js, which knows how to compress.

@@ -4,6 +4,7 @@ use crate::browsers::{self, Engine, Places};
 use crate::dist;
 use crate::prerequisites::{self, Needs};
 use crate::step::{command, root, run, step};
+use crate::table::Outcome;
 
 /// Builds the page and audits it `runs` times for each device. Err: a sentence, where a score is below that in
 /// tests/lighthouse/floors.json on a machine as fast as the one that they were made for.
@@ -12,7 +13,7 @@ pub(crate) fn audit(runs: u32, places: &Places) -> Result<(), String> {
         node: true,
         build_bytes: dist::BUILD_BYTES,
     })?;
-    let chromium = browsers::find_or_install(Engine::Chromium, places, false)?;
+    let chromium = browsers::find_or_install(Engine::Chromium, places, false).map_err(Outcome::reason)?;
     let dist = dist::build()?;
     let folder = root().join("tests/lighthouse");
     browsers::install_packages("Install Lighthouse", &folder)?;

@@ -5,8 +5,10 @@ mod browsers;
 mod check;
 mod desktop;
 mod dist;
+mod files;
 mod licenses;
 mod lighthouse;
+mod origin;
 mod package;
 mod prerequisites;
 mod serve;
@@ -81,7 +83,7 @@ fn main() -> ExitCode {
             what: What::Desktop,
             target,
         } => package::desktop(target.as_deref()),
-        Task::Size => dist::build().and_then(|dist| size::check(&dist)),
+        Task::Size => dist::checked_build(true).and_then(|dist| size::check(&dist)),
         Task::Lighthouse { runs, places } => lighthouse::audit(runs, &places),
         Task::Licenses => licenses::write(),
     };

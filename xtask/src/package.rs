@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::dist::{cargo_home, commit, nameless};
+use crate::origin::{cargo_home, commit, nameless};
 use crate::prerequisites::{self, Needs};
 use crate::step::{cargo, command, on_path, output, root, run, step, target};
 use crate::tools;
@@ -14,7 +14,7 @@ const NAME: &str = "depth-calculator";
 
 /// Copied into the archive as they are: from the workspace's folder, to the archive's.
 const COPIES: &[(&str, &str)] = &[
-    ("README.md", "README.md"),
+    ("assets/archive.md", "README.md"),
     ("CHANGELOG.md", "CHANGELOG.md"),
     ("LICENSE-MIT", "LICENSE-MIT"),
     ("LICENSE-APACHE", "LICENSE-APACHE"),
@@ -142,7 +142,15 @@ fn pack(triple: &str, program: &Path) -> Result<PathBuf, String> {
         .or_else(|| on_path("tar"))
         .ok_or("There is no `tar` to pack with.")?;
     let mut pack = command(tar, &[if is_zip { "-acf" } else { "-czf" }]);
-    run(pack.arg(&archive).arg("-C").arg(&parent).arg(&name))?;
+    pack.arg(&archive);
+    if cfg!(target_os = "linux") {
+        // Not the name of whoever builds.
+        pack.args(["--owner=0", "--group=0", "--numeric-owner"]);
+    } else if cfg!(target_os = "macos") {
+        pack.args(["--uid", "0", "--gid", "0", "--uname", "", "--gname", ""])
+            .env("COPYFILE_DISABLE", "1");
+    }
+    run(pack.arg("-C").arg(&parent).arg(&name))?;
     Ok(archive)
 }
 

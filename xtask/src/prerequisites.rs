@@ -1,6 +1,6 @@
 //! What must be there before minutes are spent: looked for in a second, and said all at once.
 
-use crate::step::{command, on_path, output, root, target, version};
+use crate::step::{command, on_path, output, target, version};
 
 /// What a command needs besides Rust.
 #[derive(Clone, Copy, Default)]
@@ -53,13 +53,14 @@ fn linker() -> Result<String, String> {
 
 fn room(build_bytes: u64) -> Result<String, String> {
     const MB: u64 = 1_000_000;
-    let folder = root();
-    let needed = if target().join("debug/deps").is_dir() {
-        REBUILD_BYTES.min(build_bytes)
-    } else {
-        build_bytes
-    };
-    match fs4::available_space(&folder) {
+    let folder = target();
+    // A build of the program was here before; what holds this command alone is small.
+    let is_built = folder
+        .join("debug")
+        .join(format!("depth-calculator{}", std::env::consts::EXE_SUFFIX))
+        .is_file();
+    let needed = if is_built { REBUILD_BYTES.min(build_bytes) } else { build_bytes };
+    match fs4::available_space(folder.parent().unwrap_or(&folder)) {
         Ok(free) if free < needed => Err(format!(
             "Room on the disk: {} holds {} MB more, and the builds need about {} MB.",
             folder.display(),

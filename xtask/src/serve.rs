@@ -22,7 +22,7 @@ pub(crate) fn run(port: u16) -> Result<(), String> {
         }
         _ => format!("Port {port} cannot be opened: {error}."),
     })?;
-    let dist = dist::build()?;
+    let dist = dist::checked_build(false)?;
     let server = Server::from_listener(listener, None).map_err(|error| format!("The server cannot start: {error}."))?;
 
     let address = format!("http://127.0.0.1:{port}/");

@@ -11,7 +11,8 @@ use std::fs;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::Path;
 
-use crate::dist::{collect_files, commit};
+use crate::files::collect_files;
+use crate::origin::commit;
 use crate::step::root;
 
 const PROGRAM_PAGE: &str = "index.html";
@@ -382,7 +383,7 @@ mod tests {
             .split_once('"')
             .unwrap()
             .0;
-        assert_eq!(commit, crate::dist::commit().unwrap_or_default());
+        assert_eq!(commit, crate::origin::commit().unwrap_or_default());
     }
 
     #[test]

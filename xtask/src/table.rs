@@ -13,6 +13,15 @@ pub(crate) enum Outcome {
     LeftOut(String),
 }
 
+impl Outcome {
+    /// Why it did not pass, or what was counted.
+    pub(crate) fn reason(self) -> String {
+        match self {
+            Self::Passed(reason) | Self::Failed(reason) | Self::LeftOut(reason) => reason,
+        }
+    }
+}
+
 impl From<Result<(), String>> for Outcome {
     fn from(result: Result<(), String>) -> Self {
         result.map_or_else(Self::Failed, |()| Self::Passed(String::new()))

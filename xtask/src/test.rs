@@ -168,7 +168,7 @@ fn in_browser(engine: Engine, dist: &Path, choice: &Choice, options: &Options) -
     }
     let programs: Programs = match browsers::find_or_install(engine, &options.places, options.complete) {
         Ok(programs) => programs,
-        Err(reason) => return Outcome::LeftOut(reason),
+        Err(missing) => return missing,
     };
     let tests = browsers::Tests {
         dist,
@@ -212,9 +212,17 @@ fn part(word: &str) -> Option<Part> {
 
 /// The names of the files of Rust tests, which cargo calls targets.
 fn rust_targets() -> Vec<String> {
-    let files = std::fs::read_dir(root().join("tests")).into_iter().flatten().flatten();
-    let mut names: Vec<String> = files
-        .filter_map(|file| file.file_name().into_string().ok()?.strip_suffix(".rs").map(str::to_owned))
+    let entries = std::fs::read_dir(root().join("tests")).into_iter().flatten().flatten();
+    let mut names: Vec<String> = entries
+        .filter_map(|entry| {
+            let name = entry.file_name().into_string().ok()?;
+            let is_folder = entry.path().join("main.rs").is_file();
+            if is_folder {
+                Some(name)
+            } else {
+                name.strip_suffix(".rs").map(str::to_owned)
+            }
+        })
         .collect();
     names.sort();
     names
@@ -265,10 +273,12 @@ fn choose(words: &[String], tests: &[BrowserTest], targets: &[String], files: &[
     if words.is_empty() {
         choice.files = files.to_vec();
     }
+    let mut names_of_rust_tests = Vec::new();
     for word in words {
         let lower = word.to_lowercase();
         let in_file = |file: &&String| browser && file.rsplit('/').next().is_some_and(|name| name.contains(&lower));
         let whole: Vec<&String> = files.iter().filter(in_file).collect();
+        let all_of_them = |(file, _): &&BrowserTest| whole.contains(&file);
         let named: Vec<&BrowserTest> = tests
             .iter()
             .filter(|(_, name)| browser && name.to_lowercase().contains(&lower))
@@ -276,16 +286,14 @@ fn choose(words: &[String], tests: &[BrowserTest], targets: &[String], files: &[
         let target = targets.iter().find(|target| rust && **target == lower);
         if let Some(target) = target {
             choice.rust.extend(["--test".to_owned(), target.clone()]);
-        } else if !whole.is_empty() {
-            choice.files.extend(whole.into_iter().cloned());
-            // All tests of a whole file, beside single ones of others.
-            let of_files = tests.iter().filter(|(file, _)| choice.files.contains(file));
-            choice.names.extend(of_files.map(|(_, name)| name.clone()));
-        } else if !named.is_empty() {
-            choice.files.extend(named.iter().map(|(file, _)| file.clone()));
-            choice.names.extend(named.iter().map(|(_, name)| name.clone()));
+        } else if !whole.is_empty() || !named.is_empty() {
+            let chosen = tests.iter().filter(all_of_them).chain(named);
+            for (file, name) in chosen {
+                choice.files.push(file.clone());
+                choice.names.push(name.clone());
+            }
         } else if parts.contains(&Part::Rust) {
-            choice.rust.push(word.clone());
+            names_of_rust_tests.push(word.clone());
         } else {
             return Err(format!(
                 "No part, file or test is called \"{word}\": `cargo xtask test --list` shows what there is. \
@@ -295,16 +303,22 @@ fn choose(words: &[String], tests: &[BrowserTest], targets: &[String], files: &[
     }
     choice.files.sort();
     choice.files.dedup();
-    if parts.is_empty() {
-        let unnamed = choice.rust.is_empty() && choice.names.is_empty();
-        parts = Part::ALL.to_vec();
-        parts.retain(|part| match part {
-            _ if unnamed => true,
-            Part::Rust => !choice.rust.is_empty(),
-            Part::Browser(_) => !choice.names.is_empty(),
-            Part::Desktop | Part::Size => false,
-        });
+    if !names_of_rust_tests.is_empty() {
+        // Cargo itself takes one name, the tests behind the dashes take several.
+        choice.rust.push("--".to_owned());
+        choice.rust.append(&mut names_of_rust_tests);
     }
+    let is_named = !choice.rust.is_empty() || !choice.names.is_empty();
+    if parts.is_empty() {
+        parts = Part::ALL.to_vec();
+        parts.retain(|part| !is_named || !matches!(part, Part::Desktop | Part::Size));
+    }
+    // Of what names stand for, only the parts that have it.
+    parts.retain(|part| match part {
+        Part::Rust => !is_named || !choice.rust.is_empty(),
+        Part::Browser(_) => !is_named || !choice.names.is_empty(),
+        Part::Desktop | Part::Size => true,
+    });
     choice.parts = Part::ALL.into_iter().filter(|part| parts.contains(part)).collect();
     Ok(choice)
 }
@@ -347,6 +361,8 @@ mod tests {
                 ["The mug".to_owned(), "a door".to_owned()].as_slice()
             )
         );
+        // A word that is in a file's name and in tests of another file.
+        assert_eq!(chosen("chromium b").unwrap().names.len(), 1);
         let tests = chosen("chromium MUG").unwrap();
         assert_eq!(tests.names, ["The mug", "golden mug"]);
         assert_eq!(tests.files.len(), 2);
@@ -361,7 +377,21 @@ mod tests {
             (file.parts.as_slice(), file.rust.join(" ")),
             ([Part::Rust].as_slice(), "--test golden".to_owned())
         );
-        assert_eq!(chosen("rust fieller").unwrap().rust, ["fieller"]);
+        assert_eq!(chosen("rust fieller budget").unwrap().rust, ["--", "fieller", "budget"]);
+        for target in ["cli", "golden", "screens"] {
+            assert!(super::rust_targets().iter().any(|known| known == target), "{target}");
+        }
+    }
+
+    #[test]
+    fn a_part_runs_only_if_the_names_beside_it_are_of_its_tests() {
+        assert_eq!(chosen("rust chromium mug").unwrap().parts, [Part::Browser(Engine::Chromium)]);
+        assert_eq!(chosen("rust chromium golden").unwrap().parts, [Part::Rust]);
+        assert_eq!(chosen("rust chromium golden mug").unwrap().parts.len(), 2);
+        assert_eq!(
+            chosen("size mug chromium").unwrap().parts,
+            [Part::Size, Part::Browser(Engine::Chromium)]
+        );
     }
 
     #[test]

@@ -51,7 +51,9 @@ async function answers(url) {
 async function startDriver(engine, environment) {
   const [port, otherPort] = [await freePort(), await freePort()];
   const url = `http://127.0.0.1:${port}`;
-  const child = spawn(settings.driver, engine.driverArguments(port, otherPort), { stdio: 'ignore', env: environment });
+  // A group of its own, so that the browser ends with its driver even where that is killed.
+  const detached = process.platform !== 'win32';
+  const child = spawn(settings.driver, engine.driverArguments(port, otherPort), { stdio: 'ignore', env: environment, detached });
   const failed = once(child, 'error').then(([error]) => {
     throw new Error(`${settings.driver} could not be started: ${error.message}`);
   });
@@ -62,7 +64,15 @@ async function startDriver(engine, environment) {
   ended.catch(() => {});
   failed.catch(() => {});
   if (!(await Promise.race([answers(url), failed, ended]))) throw new Error(`${settings.driver} does not answer.`);
-  return { url, close: (signal) => child.kill(signal) };
+  const close = (signal) => {
+    try {
+      if (detached) process.kill(-child.pid, signal);
+      else child.kill(signal);
+    } catch {
+      // It has ended.
+    }
+  };
+  return { url, close };
 }
 
 /** A new tab, and no other: nothing of the page before is left. */
@@ -101,6 +111,7 @@ export async function startEngine() {
       const builder = new Builder().disableEnvironmentOverrides().usingServer(running.url).withCapabilities(capabilities);
       const driver = await inTime(builder.build());
       if (driver) {
+        await driver.manage().setTimeouts({ script: PATIENCE_MS, pageLoad: PATIENCE_MS });
         await engine.prepare(driver);
         return driver;
       }

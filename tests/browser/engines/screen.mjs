@@ -46,6 +46,7 @@ export async function startScreen(isNeeded) {
     throw new Error('A browser needs a screen, and there is neither one nor Xvfb.');
   }
   delete environment.WAYLAND_DISPLAY;
+  delete environment.WAYLAND_SOCKET;
   for (let attempt = 1; ; attempt += 1) {
     try {
       const { display, child } = await startXvfb();

@@ -39,6 +39,7 @@ fn chromium(places: &Places) -> Result<Programs, Missing> {
         "Chromium.app/Contents/MacOS/Chromium",
         "Google/Chrome/Application/chrome.exe",
         "Chromium/Application/chrome.exe",
+        "chromium/current/usr/lib/chromium-browser/chrome",
     ];
     let browsers: Vec<(PathBuf, String)> = candidates(places.chromium.as_ref(), NAMES, APPLICATIONS)
         .filter_map(|browser| Some((browser_version(&browser)?, browser)))
@@ -50,7 +51,13 @@ fn chromium(places: &Places) -> Result<Programs, Missing> {
         .into_iter()
         .chain(in_folder("CHROMEWEBDRIVER", "chromedriver"))
         .chain(on_path("chromedriver"))
-        .chain([PathBuf::from("/usr/lib/chromium-browser/chromedriver")])
+        .chain(
+            [
+                "/usr/lib/chromium-browser/chromedriver",
+                "/snap/chromium/current/usr/lib/chromium-browser/chromedriver",
+            ]
+            .map(PathBuf::from),
+        )
         .filter_map(|driver| version(&driver).map(|version| (driver, version)))
         .collect();
     let pair = browsers.iter().find_map(|(browser, version)| {
@@ -71,7 +78,11 @@ fn chromium(places: &Places) -> Result<Programs, Missing> {
 }
 
 fn firefox(places: &Places) -> Result<Programs, Missing> {
-    const APPLICATIONS: &[&str] = &["Firefox.app/Contents/MacOS/firefox", "Mozilla Firefox/firefox.exe"];
+    const APPLICATIONS: &[&str] = &[
+        "Firefox.app/Contents/MacOS/firefox",
+        "Mozilla Firefox/firefox.exe",
+        "firefox/current/usr/lib/firefox/firefox",
+    ];
     let (browser, version) = candidates(places.firefox.as_ref(), &["firefox-esr", "firefox"], APPLICATIONS)
         .find_map(|browser| browser_version(&browser).map(|version| (browser, version)))
         .ok_or_else(|| Missing::new("There is no Firefox"))?;
@@ -128,7 +139,9 @@ fn minibrowser() -> Option<PathBuf> {
 
 /// Two of the engines draw nothing without a screen; Xvfb is one without glass.
 fn screen(browser: &str) -> Result<(), Missing> {
-    let has_one = !cfg!(target_os = "linux") || std::env::var_os("DISPLAY").is_some() || on_path("Xvfb").is_some();
+    // The same rule as in tests/browser/engines/screen.mjs.
+    let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    let has_one = !cfg!(target_os = "linux") || on_path("Xvfb").is_some() || is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
     if has_one {
         Ok(())
     } else {
@@ -146,7 +159,7 @@ fn candidates<'a>(named: Option<&'a PathBuf>, names: &'a [&str], applications: &
         .filter(move |_| search)
         .flat_map(move |folder| applications.iter().map(move |application| folder.join(application)))
         .filter(|program| program.is_file());
-    named.cloned().into_iter().chain(on_path).chain(installed)
+    named.cloned().into_iter().chain(installed).chain(on_path)
 }
 
 fn application_folders() -> Vec<PathBuf> {
@@ -157,7 +170,8 @@ fn application_folders() -> Vec<PathBuf> {
         let variables = ["ProgramFiles", "ProgramFiles(x86)", "LOCALAPPDATA"];
         variables.iter().filter_map(std::env::var_os).map(PathBuf::from).collect()
     } else {
-        Vec::new()
+        // Ubuntu's packages on PATH only start these, in a way that no driver understands.
+        vec![PathBuf::from("/snap")]
     }
 }
 
