@@ -47,8 +47,18 @@ async function answers(url) {
   return false;
 }
 
-/** A driver that listens: where, and how to end it. */
+/** A driver that listens: where, and how to end it. A port that is free now may be somebody else's a moment later. */
 async function startDriver(engine, environment) {
+  for (let attempt = 1; ; attempt += 1) {
+    try {
+      return await tryDriver(engine, environment);
+    } catch (error) {
+      if (attempt === ATTEMPTS) throw error;
+    }
+  }
+}
+
+async function tryDriver(engine, environment) {
   const [port, otherPort] = [await freePort(), await freePort()];
   const url = `http://127.0.0.1:${port}`;
   // A group of its own, so that the browser ends with its driver even where that is killed.

@@ -141,7 +141,8 @@ impl Tests<'_> {
             "node",
             &[
                 "--test",
-                "--test-concurrency=1",
+                // Each file has a browser, a server and a screen of its own; more of them than cores gain nothing.
+                "--test-concurrency=2",
                 // For one that hangs: in a slow hour the longest takes minutes.
                 "--test-timeout=1200000",
                 "--test-reporter=spec",
