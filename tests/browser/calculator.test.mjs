@@ -121,7 +121,7 @@ it('a link fills in the fields that it names, and a reload keeps what was typed 
   assert.equal(await page.value(DISPARITY), '100');
 });
 
-it('nothing is computed while nothing happens, for ten seconds, with and without a field in use', async (test) => {
+it('nothing is computed while nothing happens, for ten seconds, with and without a field in use', { engines: ONE_ENGINE }, async (test) => {
   const page = await bench.page(test);
   await page.start();
   await page.press('Coffee mug (stereo)');

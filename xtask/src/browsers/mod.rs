@@ -141,8 +141,8 @@ impl Tests<'_> {
             "node",
             &[
                 "--test",
-                // Each file has a browser, a server and a screen of its own; more of them than cores gain nothing.
-                "--test-concurrency=2",
+                // Two at a time take longer: drawing without a graphics card keeps all cores busy by itself.
+                "--test-concurrency=1",
                 // For one that hangs: in a slow hour the longest takes minutes.
                 "--test-timeout=1200000",
                 "--test-reporter=spec",
