@@ -2,8 +2,8 @@
 //!
 //! The house, floor by floor; a floor uses only the floors below it:
 //!
-//! 1. [`core`]: the mathematics.
-//! 2. [`formats`]: text in and out.
+//! 1. [`core`], the crate `depth-core`: the mathematics.
+//! 2. [`formats`], the crate `depth-text`: text in and out.
 //! 3. `app`: the egui application, the same on every platform and under test.
 //! 4. `cli`: the command line; it builds without floor 3.
 //! 5. `platform`: the entry points of the web page and the desktop program.
@@ -25,7 +25,8 @@
 pub mod app;
 #[cfg(all(feature = "cli", not(target_arch = "wasm32")))]
 pub mod cli;
-pub mod core;
-pub mod formats;
 #[cfg(feature = "app")]
 pub mod platform;
+
+pub use depth_core as core;
+pub use depth_text as formats;

@@ -21,7 +21,7 @@ pub(crate) fn run_all() -> Result<(), String> {
     let mut check = |what: &str, work: &dyn Fn() -> Result<(), String>| table.run(what, || step(what, work));
 
     check("formatting", &|| run(&mut cargo(&["fmt", "--all", "--check"])));
-    check("the mathematics and the formats alone", &|| {
+    check("the mathematics and the text formats alone", &|| {
         run(cargo(&["check"]).args(PROGRAM).args(["--no-default-features", "--lib"]))
     });
     check("lints, desktop, tests and benches", &|| {

@@ -1,0 +1,127 @@
+//! What a file or a program calls a disparity, and how many pixels that is.
+//!
+//! Here a disparity is d = x_left − x_right in pixels of the rectified image, positive for what lies in front of the
+//! cameras. Forgetting a scale is the commonest blunder with stereo: 16 times too near, or all of it behind the camera.
+
+use crate::measured::Measured;
+use crate::quantity::Pixels;
+
+/// How a disparity is written down.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Encoding {
+    /// Pixels as a real number (Middlebury's and most programs' floating-point images); not finite where there is none.
+    Pixels,
+    /// 16-bit signed fixed point, 1/16 px, of OpenCV's StereoBM and StereoSGBM; (minDisparity − 1)·16 where there is none.
+    ///
+    /// Source: OpenCV, `StereoMatcher::compute`; the invalid value as measured with OpenCV 4.14 and 5.0.
+    OpenCv {
+        /// The matcher's minDisparity.
+        min_disparity: i32,
+    },
+    /// 16-bit unsigned fixed point, 1/256 px; 0 where there is none.
+    ///
+    /// Source: the KITTI stereo benchmark's development kit.
+    Kitti,
+    /// 16-bit unsigned fixed point with sub-pixel bits; 0 where there is none.
+    ///
+    /// Source: Luxonis, DepthAI, StereoDepth: subpixel fractional bits.
+    DepthAi(SubpixelBits),
+    /// A fraction of the image's width, as some networks give it.
+    FractionOfWidth {
+        /// Width of the image in which the disparity is wanted.
+        image_width: Pixels,
+    },
+    /// Pixels with the opposite sign; not finite where there is none.
+    ///
+    /// Source: Stereolabs, ZED SDK, the DISPARITY measure.
+    Zed,
+}
+
+/// Sub-pixel bits of DepthAI's disparity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SubpixelBits {
+    /// 1/8 px
+    Three,
+    /// 1/16 px
+    Four,
+    /// 1/32 px
+    Five,
+}
+
+/// Why a number is no disparity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoDisparity {
+    /// It is how the encoding marks a pixel for which the matcher found nothing.
+    Invalid,
+    /// The encoding stores whole numbers, and this is none: it may have been divided already.
+    NotWhole,
+    /// The encoding cannot hold the number.
+    OutOfRange,
+}
+
+impl Encoding {
+    /// The disparity in pixels that `stored` stands for. Its sign is not judged: doffs may make up for it.
+    ///
+    /// # Errors
+    /// [`NoDisparity`].
+    pub fn decode(self, stored: f64) -> Result<Pixels, NoDisparity> {
+        const UNSIGNED: (f64, f64) = (0.0, 65_535.0);
+        const SIGNED: (f64, f64) = (-32_768.0, 32_767.0);
+        if !stored.is_finite() {
+            return Err(NoDisparity::Invalid);
+        }
+        let pixels = match self {
+            Self::Pixels => stored,
+            Self::Zed => 0.0 - stored,
+            Self::FractionOfWidth { image_width } => stored * image_width.px(),
+            Self::OpenCv { min_disparity } => fixed_point(stored, SIGNED, (f64::from(min_disparity) - 1.0) * 16.0, 16.0)?,
+            Self::Kitti => fixed_point(stored, UNSIGNED, 0.0, 256.0)?,
+            Self::DepthAi(bits) => fixed_point(stored, UNSIGNED, 0.0, bits.scale())?,
+        };
+        if pixels.is_finite() {
+            Ok(Pixels::new(pixels))
+        } else {
+            Err(NoDisparity::OutOfRange)
+        }
+    }
+}
+
+impl SubpixelBits {
+    /// What to divide by.
+    pub const fn scale(self) -> f64 {
+        match self {
+            Self::Three => 8.0,
+            Self::Four => 16.0,
+            Self::Five => 32.0,
+        }
+    }
+}
+
+fn fixed_point(stored: f64, (lowest, highest): (f64, f64), invalid: f64, scale: f64) -> Result<f64, NoDisparity> {
+    if stored < lowest || stored > highest {
+        Err(NoDisparity::OutOfRange)
+    } else if stored.fract() != 0.0 {
+        Err(NoDisparity::NotWhole)
+    } else if stored == invalid {
+        Err(NoDisparity::Invalid)
+    } else {
+        Ok(stored / scale)
+    }
+}
+
+/// Disparity in pixels from the columns at which the same point is seen, d = x_left − x_right, with σ_d² = σ_l² + σ_r².
+///
+/// Source: the definition in ROS stereo_msgs/DisparityImage and Middlebury 2014, before any correction for the principal
+/// points: that is [`doffs`].
+pub fn from_columns(x_left: Measured, x_right: Measured) -> Measured {
+    x_left.plus(Measured::new(-x_right.value, x_right.sigma))
+}
+
+/// δ = cx_right − cx_left in pixels: what to add to a disparity where the principal points differ.
+///
+/// A disparity from ROS stereo_msgs/DisparityImage contains it already.
+///
+/// Source: Middlebury 2014 calibration format, `doffs`.
+pub fn doffs(cx_left: Measured, cx_right: Measured) -> Measured {
+    from_columns(cx_right, cx_left)
+}

@@ -1,0 +1,93 @@
+//! [`Field`]: the inputs, by the names that people know them by.
+
+/// An input of a distance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Field {
+    /// fx, px
+    FocalLength,
+    /// b, a length
+    Baseline,
+    /// d, px
+    Disparity,
+    /// δ = cx_right − cx_left, px: 0 where the principal points coincide
+    Doffs,
+    /// w_img, px
+    ImageWidth,
+    /// w_real, a length
+    RealWidth,
+}
+
+impl Field {
+    /// Every field, in reading order.
+    pub const ALL: [Self; 6] = [
+        Self::FocalLength,
+        Self::Baseline,
+        Self::Disparity,
+        Self::Doffs,
+        Self::ImageWidth,
+        Self::RealWidth,
+    ];
+
+    /// The name people and tests look for.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::FocalLength => "Focal length (fx)",
+            Self::Baseline => "Camera baseline (b)",
+            Self::Disparity => "Disparity (d)",
+            Self::Doffs => "Principal point offset (doffs)",
+            Self::ImageWidth => "Object width in image (w_img)",
+            Self::RealWidth => "Object real width (w_real)",
+        }
+    }
+
+    /// The symbol in the formulas.
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::FocalLength => "fx",
+            Self::Baseline => "b",
+            Self::Disparity => "d",
+            Self::Doffs => "doffs",
+            Self::ImageWidth => "w_img",
+            Self::RealWidth => "w_real",
+        }
+    }
+
+    /// The field in the middle of a sentence.
+    pub const fn noun(self) -> &'static str {
+        match self {
+            Self::FocalLength => "the focal length",
+            Self::Baseline => "the baseline",
+            Self::Disparity => "the disparity",
+            Self::Doffs => "doffs",
+            Self::ImageWidth => "the width in the image",
+            Self::RealWidth => "the real width",
+        }
+    }
+
+    /// Whether the field is a length (with a choice of unit) rather than a number of pixels.
+    pub const fn is_length(self) -> bool {
+        matches!(self, Self::Baseline | Self::RealWidth)
+    }
+
+    /// The range outside which a value deserves a warning, in px or metres.
+    ///
+    /// Wide on purpose: the presets of real cameras lie far inside; a value outside is nearly always a slip of the unit.
+    pub const fn usual_range(self) -> (f64, f64) {
+        match self {
+            Self::FocalLength => (50.0, 20_000.0),
+            Self::Baseline => (0.005, 5.0),
+            // The disparity is judged together with doffs, as it enters the formula.
+            Self::Disparity => (0.5, 1000.0),
+            Self::Doffs => (-1000.0, 1000.0),
+            Self::ImageWidth => (5.0, 5000.0),
+            Self::RealWidth => (0.005, 50.0),
+        }
+    }
+
+    /// Whether `value` (px or metres) lies in the [usual range](Self::usual_range), its ends included.
+    pub fn is_usual(self, value: f64) -> bool {
+        let (low, high) = self.usual_range();
+        (low..=high).contains(&value)
+    }
+}

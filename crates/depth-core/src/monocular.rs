@@ -1,0 +1,25 @@
+//! One camera and an object of known size: depth from the object's width in the image.
+//!
+//! The object is taken to face the camera (its width parallel to the image plane).
+
+use crate::quantity::{Length, Pixels, times_over};
+
+/// Depth of an object of known width, Z = w_real·f/w_img.
+///
+/// `real_width` a length, `focal_length` and `width_in_image` in pixels of the same image; the result is a length.
+/// The result is infinite for `width_in_image` 0: the caller checks.
+///
+/// Source: pinhole projection by similar triangles; the two-formula web page that this program reproduces.
+pub fn depth(focal_length: Pixels, real_width: Length, width_in_image: Pixels) -> Length {
+    Length::from_m(times_over(real_width.m(), focal_length.px(), width_in_image.px()))
+}
+
+/// Width in the image of an object of `real_width` at `depth`, w_img = w_real·f/Z.
+pub fn width_in_image(focal_length: Pixels, real_width: Length, depth: Length) -> Pixels {
+    Pixels::new(times_over(real_width.m(), focal_length.px(), depth.m()))
+}
+
+/// Real width of an object seen `width_in_image` wide at `depth`, w_real = w_img·Z/f.
+pub fn real_width(focal_length: Pixels, width_in_image: Pixels, depth: Length) -> Length {
+    Length::from_m(times_over(width_in_image.px(), depth.m(), focal_length.px()))
+}

@@ -1,0 +1,466 @@
+//! [`Problem`] (what is known) to [`Solution`] (everything that follows from it). Every screen, the command line, links and
+//! reports go through this one step, so that they cannot disagree.
+
+pub use crate::field::Field;
+use crate::measured::Measured;
+use crate::quantity::{Length, LengthUnit, Pixels};
+use crate::uncertainty::{Interval, Model, Share, Unusable};
+use crate::{agreement, monocular, stereo};
+
+/// The two ways to a distance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Method {
+    /// Two cameras: D = fx·b/d.
+    Stereo,
+    /// One camera and an object of known width: D = w_real·fx/w_img.
+    Monocular,
+}
+
+impl Method {
+    /// Both, stereo first.
+    pub const ALL: [Self; 2] = [Self::Stereo, Self::Monocular];
+
+    /// The inputs of the method, in reading order.
+    pub const fn fields(self) -> [Field; 3] {
+        match self {
+            Self::Stereo => [Field::FocalLength, Field::Baseline, Field::Disparity],
+            Self::Monocular => [Field::FocalLength, Field::ImageWidth, Field::RealWidth],
+        }
+    }
+
+    /// The inputs that only this method uses: filling one of them means that the person wants this method.
+    pub const fn own_fields(self) -> [Field; 2] {
+        match self {
+            Self::Stereo => [Field::Baseline, Field::Disparity],
+            Self::Monocular => [Field::ImageWidth, Field::RealWidth],
+        }
+    }
+
+    /// "Stereo" or "Monocular".
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Stereo => "Stereo",
+            Self::Monocular => "Monocular",
+        }
+    }
+
+    /// The formula with its symbols.
+    pub const fn formula(self) -> &'static str {
+        match self {
+            Self::Stereo => "D = fx · b / d",
+            Self::Monocular => "D = w_real · fx / w_img",
+        }
+    }
+}
+
+/// Why a value cannot be used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Refusal {
+    /// NaN.
+    NotANumber,
+    /// Zero. For a disparity: the object is infinitely far away.
+    Zero,
+    /// Below zero. For a disparity: left and right may be swapped.
+    Negative,
+    /// Infinite or subnormal, by itself or in the distance that would follow.
+    TooExtreme,
+}
+
+/// What is known: the inputs, checked one by one where they were read.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Problem {
+    /// fx: focal length in pixels of the image that d and w_img are measured in.
+    pub focal_length: Option<Pixels>,
+    /// b: distance between the optical centres of the two cameras.
+    pub baseline: Option<Length>,
+    /// d: horizontal shift of the object between the rectified images.
+    pub disparity: Option<Pixels>,
+    /// δ = cx_right − cx_left; `None` is 0.
+    pub doffs: Option<Pixels>,
+    /// w_img: width of the object in the image.
+    pub image_width: Option<Pixels>,
+    /// w_real: width of the object itself.
+    pub real_width: Option<Length>,
+    /// How well each is known.
+    pub sigmas: Sigmas,
+}
+
+/// The standard uncertainty (1 σ) of each input in its base unit (px or metres), where one was given.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sigmas([Option<f64>; Field::ALL.len()]);
+
+impl Sigmas {
+    /// σ of `field` in px or metres.
+    pub fn get(&self, field: Field) -> Option<f64> {
+        Field::ALL
+            .iter()
+            .zip(&self.0)
+            .find_map(|(&candidate, &sigma)| if candidate == field { sigma } else { None })
+    }
+
+    /// Sets σ of `field` in px or metres.
+    pub fn set(&mut self, field: Field, sigma: Option<f64>) {
+        for (candidate, slot) in Field::ALL.iter().zip(&mut self.0) {
+            if *candidate == field {
+                *slot = sigma;
+            }
+        }
+    }
+}
+
+impl Problem {
+    /// The value of `field` in its base unit (px or metres).
+    pub fn get(&self, field: Field) -> Option<f64> {
+        match field {
+            Field::FocalLength => self.focal_length.map(Pixels::px),
+            Field::Baseline => self.baseline.map(Length::m),
+            Field::Disparity => self.disparity.map(Pixels::px),
+            Field::Doffs => self.doffs.map(Pixels::px),
+            Field::ImageWidth => self.image_width.map(Pixels::px),
+            Field::RealWidth => self.real_width.map(Length::m),
+        }
+    }
+
+    /// Sets `field` to `value` in its base unit (px or metres).
+    pub fn set(&mut self, field: Field, value: Option<f64>) {
+        match field {
+            Field::FocalLength => self.focal_length = value.map(Pixels::new),
+            Field::Baseline => self.baseline = value.map(Length::from_m),
+            Field::Disparity => self.disparity = value.map(Pixels::new),
+            Field::Doffs => self.doffs = value.map(Pixels::new),
+            Field::ImageWidth => self.image_width = value.map(Pixels::new),
+            Field::RealWidth => self.real_width = value.map(Length::from_m),
+        }
+    }
+
+    /// The value of `field` with its σ, 0 where none was given.
+    pub fn measured(&self, field: Field) -> Option<Measured> {
+        Some(Measured::new(self.get(field)?, self.sigmas.get(field).unwrap_or(0.0)))
+    }
+
+    /// d + δ: the disparity as it enters the formula. Its sign decides whether the object is in front of the cameras.
+    pub fn effective_disparity(&self) -> Option<Pixels> {
+        Some(Pixels::new(self.disparity?.px() + self.doffs.map_or(0.0, Pixels::px)))
+    }
+
+    /// Checks that the value of `field`, if it has one, can be used: positive, finite and normal. A disparity is judged
+    /// together with doffs, which itself may be any finite number.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn check(&self, field: Field) -> Result<(), Refusal> {
+        let value = match field {
+            Field::Disparity => self.effective_disparity().map(Pixels::px),
+            _ => self.get(field),
+        };
+        match value {
+            None => Ok(()),
+            Some(value) if value.is_nan() => Err(Refusal::NotANumber),
+            Some(value) if field == Field::Doffs => {
+                if value.is_finite() {
+                    Ok(())
+                } else {
+                    Err(Refusal::TooExtreme)
+                }
+            }
+            Some(0.0) => Err(Refusal::Zero),
+            Some(value) if value < 0.0 => Err(Refusal::Negative),
+            Some(value) if !value.is_normal() => Err(Refusal::TooExtreme),
+            Some(_) => Ok(()),
+        }
+    }
+
+    /// Whether the value of `field` lies in its [usual range](Field::usual_range); true where there is none.
+    pub fn is_usual(&self, field: Field) -> bool {
+        let value = match field {
+            Field::Disparity => self.effective_disparity().map(Pixels::px),
+            _ => self.get(field),
+        };
+        value.is_none_or(|value| field.is_usual(value))
+    }
+
+    /// Everything that follows from what is known.
+    ///
+    /// Never fails and never holds a NaN or an infinity: what cannot be had is absent, and where the inputs of a method are
+    /// complete but useless the method says [why](Outcome::Refused).
+    pub fn solve(&self) -> Solution {
+        let stereo = self.solve_method(Method::Stereo);
+        let monocular = self.solve_method(Method::Monocular);
+        // With the monocular distance the two widths would only repeat the input.
+        let reference = stereo.distance().or(monocular.distance());
+        let estimated_width_px = match (self.focal_length, self.real_width, reference) {
+            (Some(f), Some(w), Some(z)) => finite_px(monocular::width_in_image(f, w, z)),
+            _ => None,
+        };
+        let estimated_width = match (self.focal_length, self.image_width, reference) {
+            (Some(f), Some(w), Some(z)) => finite_length(monocular::real_width(f, w, z)),
+            _ => None,
+        };
+        let known = |method, outcome: Outcome| outcome.distance().and_then(|_| self.known(method));
+        let (stereo_known, unusable) = split(known(Method::Stereo, stereo));
+        let (monocular_known, also_unusable) = split(known(Method::Monocular, monocular));
+        let together = match (&stereo_known, &monocular_known) {
+            (Some(stereo), Some(monocular)) => Some(Together {
+                combined: agreement::combine(&stereo.model, &monocular.model),
+                agreement: agreement::compare(&stereo.model, &monocular.model),
+            }),
+            _ => None,
+        };
+        Solution {
+            problem: *self,
+            stereo,
+            monocular,
+            estimated_width_px,
+            estimated_width,
+            stereo_known,
+            monocular_known,
+            together,
+            unusable_sigma: unusable.or(also_unusable),
+        }
+    }
+
+    /// The stereo distance had the disparity been `shift` px larger (nearer) or smaller (farther); `None` where the object
+    /// would be infinitely far away or the inputs are incomplete.
+    pub fn stereo_distance_if(&self, shift: f64) -> Option<Length> {
+        let disparity = self.effective_disparity()?.px() + shift;
+        if disparity <= 0.0 {
+            return None;
+        }
+        finite_length(stereo::depth(self.focal_length?, self.baseline?, Pixels::new(disparity)))
+    }
+
+    /// The inputs of `method` with their σ, as one model.
+    fn model(&self, method: Method) -> Option<Result<Model, Unusable>> {
+        let measured = |field| self.measured(field);
+        let focal_length = measured(Field::FocalLength)?;
+        Some(match method {
+            Method::Stereo => Model::stereo(
+                focal_length,
+                measured(Field::Baseline)?,
+                measured(Field::Disparity)?,
+                // A σ without a value belongs to an offset of 0.
+                Measured::new(self.doffs.map_or(0.0, Pixels::px), self.sigmas.get(Field::Doffs).unwrap_or(0.0)),
+            ),
+            Method::Monocular => Model::monocular(focal_length, measured(Field::RealWidth)?, measured(Field::ImageWidth)?),
+        })
+    }
+
+    /// How sure one can be of the distance of `method`; `None` where no input has a σ. The error names the input whose σ is
+    /// out of all proportion.
+    fn known(&self, method: Method) -> Option<Result<Known, Field>> {
+        match self.model(method)? {
+            Ok(model) if model.relative_sigma() == 0.0 => None,
+            Ok(model) => Some(Ok(Known::new(model))),
+            Err(Unusable::Sigma(field) | Unusable::Value(field)) => Some(Err(field)),
+            Err(Unusable::Distance) => Some(Err(self.least_certain(method))),
+        }
+    }
+
+    /// The input of `method` with the largest σ for its value.
+    fn least_certain(&self, method: Method) -> Field {
+        let relative = |field: Field| self.measured(field).map_or(0.0, Measured::relative);
+        let [first, others @ ..] = method.fields();
+        others
+            .into_iter()
+            .fold(first, |worst, field| if relative(field) > relative(worst) { field } else { worst })
+    }
+
+    fn solve_method(&self, method: Method) -> Outcome {
+        for field in method.fields() {
+            if let Err(refusal) = self.check(field) {
+                return Outcome::Refused { field, refusal };
+            }
+        }
+        let distance = match method {
+            Method::Stereo => match (self.focal_length, self.baseline, self.effective_disparity()) {
+                (Some(f), Some(b), Some(d)) => stereo::depth(f, b, d),
+                _ => return Outcome::Incomplete,
+            },
+            Method::Monocular => match (self.focal_length, self.real_width, self.image_width) {
+                (Some(f), Some(w), Some(p)) => monocular::depth(f, w, p),
+                _ => return Outcome::Incomplete,
+            },
+        };
+        match finite_length(distance) {
+            Some(distance) => Outcome::Distance(distance),
+            None => Outcome::Refused {
+                field: self.least_usual(method),
+                refusal: Refusal::TooExtreme,
+            },
+        }
+    }
+
+    /// The input of `method` that lies furthest, in orders of magnitude, outside its usual range.
+    fn least_usual(&self, method: Method) -> Field {
+        let strangeness = |field: Field| {
+            let (low, high) = field.usual_range();
+            self.get(field)
+                .map_or(0.0, |v| (low.ln() - v.ln()).max(v.ln() - high.ln()).max(0.0))
+        };
+        let [first, second, third] = method.fields();
+        [second, third].into_iter().fold(
+            first,
+            |worst, field| {
+                if strangeness(field) > strangeness(worst) { field } else { worst }
+            },
+        )
+    }
+}
+
+/// What came of one method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Outcome {
+    /// An input is missing or was not readable.
+    Incomplete,
+    /// The distance: finite, normal and positive.
+    Distance(Length),
+    /// Complete, but no distance can be given; `field` is the input to look at.
+    Refused {
+        /// The input to blame.
+        field: Field,
+        /// Why.
+        refusal: Refusal,
+    },
+}
+
+impl Outcome {
+    /// The distance, where there is one.
+    pub const fn distance(self) -> Option<Length> {
+        match self {
+            Self::Distance(distance) => Some(distance),
+            Self::Incomplete | Self::Refused { .. } => None,
+        }
+    }
+}
+
+/// How sure one can be of a distance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Known {
+    /// The inputs with their σ.
+    pub model: Model,
+    /// σ of the distance to first order.
+    pub sigma: Length,
+    /// The 1 σ interval without linearisation.
+    pub interval: Interval,
+    /// Which input causes which part of the variance; adds to 1.
+    pub budget: Vec<Share>,
+    /// How much too far the average of many such distances comes out; `None` where that cannot be said.
+    pub bias: Option<Length>,
+}
+
+impl Known {
+    fn new(model: Model) -> Self {
+        Self {
+            sigma: Length::from_m(model.depth_with_sigma().sigma),
+            interval: model.interval(),
+            budget: model.variance_budget(),
+            bias: model.bias(),
+            model,
+        }
+    }
+
+    /// The input that causes the largest part of the variance.
+    pub fn main_cause(&self) -> Option<Share> {
+        self.budget.iter().copied().max_by(|a, b| a.share.total_cmp(&b.share))
+    }
+}
+
+/// What two distances with σ say together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Together {
+    /// Both combined, m; `None` where only the shared focal length has a σ, so that nothing weighs them.
+    pub combined: Option<Measured>,
+    /// Whether they agree, and what to look at if not.
+    pub agreement: agreement::Agreement,
+}
+
+fn split(known: Option<Result<Known, Field>>) -> (Option<Known>, Option<Field>) {
+    match known {
+        Some(Ok(known)) => (Some(known), None),
+        Some(Err(field)) => (None, Some(field)),
+        None => (None, None),
+    }
+}
+
+/// Everything computed from a [`Problem`]; made once when the inputs change.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// What it was computed from.
+    pub problem: Problem,
+    /// D = fx·b/d.
+    pub stereo: Outcome,
+    /// D = w_real·fx/w_img.
+    pub monocular: Outcome,
+    /// w_real·fx/D, with the stereo distance whenever there is one.
+    pub estimated_width_px: Option<Pixels>,
+    /// w_img·D/fx, with the stereo distance whenever there is one.
+    pub estimated_width: Option<Length>,
+    /// How sure one can be of the stereo distance; `None` where no input has a σ.
+    pub stereo_known: Option<Known>,
+    /// How sure one can be of the monocular distance; `None` where no input has a σ.
+    pub monocular_known: Option<Known>,
+    /// What both say together; `None` unless both are known with σ.
+    pub together: Option<Together>,
+    /// An input whose σ is out of all proportion to its value, so that nothing can be said.
+    pub unusable_sigma: Option<Field>,
+}
+
+impl Solution {
+    /// The outcome of `method`.
+    pub const fn outcome(&self, method: Method) -> Outcome {
+        match method {
+            Method::Stereo => self.stereo,
+            Method::Monocular => self.monocular,
+        }
+    }
+
+    /// How sure one can be of the distance of `method`.
+    pub const fn known(&self, method: Method) -> Option<&Known> {
+        match method {
+            Method::Stereo => self.stereo_known.as_ref(),
+            Method::Monocular => self.monocular_known.as_ref(),
+        }
+    }
+
+    /// The stereo distances with the disparity one pixel larger (nearer) and one smaller; the second is `None` where the
+    /// object would be infinitely far away. `None` as a whole without a stereo distance.
+    pub fn one_pixel_around(&self) -> Option<(Length, Option<Length>)> {
+        self.stereo.distance()?;
+        Some((self.problem.stereo_distance_if(1.0)?, self.problem.stereo_distance_if(-1.0)))
+    }
+
+    /// How far the entered image width is off what the stereo distance and the real width predict, as a fraction of the
+    /// prediction: w_img / (w_real·fx/D) − 1. `None` unless both methods have a distance; the same figure holds for the
+    /// real width.
+    ///
+    /// With both distances known it equals D_stereo/D_monocular − 1.
+    pub fn width_discrepancy(&self) -> Option<f64> {
+        let ratio = self.stereo.distance()?.m() / self.monocular.distance()?.m();
+        Some(ratio - 1.0).filter(|r| r.is_finite())
+    }
+}
+
+/// The first unit in which `typed` would be a usual value of `field`, if it is not one in the unit it was typed in.
+pub fn better_unit(field: Field, typed: f64, unit: LengthUnit) -> Option<LengthUnit> {
+    const LIKELIEST_FIRST: [LengthUnit; 5] = [
+        LengthUnit::Metre,
+        LengthUnit::Millimetre,
+        LengthUnit::Centimetre,
+        LengthUnit::Inch,
+        LengthUnit::Foot,
+    ];
+    let usual = |unit| field.is_usual(Length::new(typed, unit).m());
+    if !field.is_length() || usual(unit) {
+        return None;
+    }
+    LIKELIEST_FIRST.into_iter().find(|&candidate| usual(candidate))
+}
+
+fn finite_length(length: Length) -> Option<Length> {
+    length.m().is_normal().then_some(length)
+}
+
+fn finite_px(pixels: Pixels) -> Option<Pixels> {
+    pixels.px().is_normal().then_some(pixels)
+}

@@ -1,0 +1,120 @@
+//! Quantities that carry their unit in their type: [`Length`] in metres, [`Pixels`] in image pixels.
+
+/// A length, kept in metres whatever unit it was given in.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Length(f64);
+
+impl Length {
+    /// A length of `metres` metres.
+    pub const fn from_m(metres: f64) -> Self {
+        Self(metres)
+    }
+
+    /// A length of `value` in `unit`.
+    pub fn new(value: f64, unit: LengthUnit) -> Self {
+        Self(match unit {
+            // Dividing by a power of ten rounds once, so that 100 mm is exactly the f64 nearest to 0.1.
+            LengthUnit::Millimetre => value / 1000.0,
+            LengthUnit::Centimetre => value / 100.0,
+            LengthUnit::Metre => value,
+            LengthUnit::Inch => value * METRES_PER_INCH,
+            LengthUnit::Foot => value * METRES_PER_FOOT,
+        })
+    }
+
+    /// This length in metres.
+    pub const fn m(self) -> f64 {
+        self.0
+    }
+
+    /// This length as a number of `unit`.
+    pub fn in_unit(self, unit: LengthUnit) -> f64 {
+        match unit {
+            LengthUnit::Millimetre => self.0 * 1000.0,
+            LengthUnit::Centimetre => self.0 * 100.0,
+            LengthUnit::Metre => self.0,
+            LengthUnit::Inch => self.0 / METRES_PER_INCH,
+            LengthUnit::Foot => self.0 / METRES_PER_FOOT,
+        }
+    }
+}
+
+/// Exact by definition: international yard and pound agreement, 1959.
+const METRES_PER_INCH: f64 = 0.0254;
+/// Exact by definition: international yard and pound agreement, 1959.
+const METRES_PER_FOOT: f64 = 0.3048;
+
+/// A distance in the image plane, in pixels. Also the unit of a focal length in the pinhole model.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Pixels(f64);
+
+impl Pixels {
+    /// `value` pixels.
+    pub const fn new(value: f64) -> Self {
+        Self(value)
+    }
+
+    /// The number of pixels.
+    pub const fn px(self) -> f64 {
+        self.0
+    }
+}
+
+/// The units a length can be typed and shown in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum LengthUnit {
+    /// mm
+    #[cfg_attr(feature = "serde", serde(rename = "mm"))]
+    Millimetre,
+    /// cm
+    #[cfg_attr(feature = "serde", serde(rename = "cm"))]
+    Centimetre,
+    /// m
+    #[cfg_attr(feature = "serde", serde(rename = "m"))]
+    Metre,
+    /// in
+    #[cfg_attr(feature = "serde", serde(rename = "in"))]
+    Inch,
+    /// ft
+    #[cfg_attr(feature = "serde", serde(rename = "ft"))]
+    Foot,
+}
+
+impl LengthUnit {
+    /// Every unit, in the order in which menus list them.
+    pub const ALL: [Self; 5] = [Self::Millimetre, Self::Centimetre, Self::Metre, Self::Inch, Self::Foot];
+
+    /// The unit's symbol, as written after a number.
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::Millimetre => "mm",
+            Self::Centimetre => "cm",
+            Self::Metre => "m",
+            Self::Inch => "in",
+            Self::Foot => "ft",
+        }
+    }
+
+    /// The unit's name in the plural, as read aloud.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Millimetre => "millimetres",
+            Self::Centimetre => "centimetres",
+            Self::Metre => "metres",
+            Self::Inch => "inches",
+            Self::Foot => "feet",
+        }
+    }
+}
+
+/// a·b/c for positive numbers, exact to rounding wherever the result itself is a normal number, even when a·b alone
+/// would overflow or underflow.
+pub(crate) fn times_over(a: f64, b: f64, c: f64) -> f64 {
+    let product = a * b;
+    if product.is_normal() {
+        product / c
+    } else {
+        a.max(b) / c * a.min(b)
+    }
+}

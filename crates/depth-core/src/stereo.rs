@@ -1,0 +1,19 @@
+//! Two parallel, rectified cameras: depth from disparity.
+
+use crate::quantity::{Length, Pixels, times_over};
+
+/// Depth of a point along the optical axis, Z = f·b/d, for a rectified pair whose principal points coincide.
+///
+/// `focal_length` and `disparity` in pixels of the same image, `baseline` a length; the result is a length.
+/// The result is infinite for `disparity` 0 and negative for a negative one: the caller checks.
+///
+/// Source: Middlebury 2014 calibration format ("Z = baseline * f / (d + doffs)", here with doffs = 0); similar
+/// triangles as in Hartley and Zisserman, *Multiple View Geometry*, chapter 9.
+pub fn depth(focal_length: Pixels, baseline: Length, disparity: Pixels) -> Length {
+    Length::from_m(times_over(focal_length.px(), baseline.m(), disparity.px()))
+}
+
+/// Disparity at which a point at `depth` appears, d = f·b/Z: the inverse of [`depth`].
+pub fn disparity(focal_length: Pixels, baseline: Length, depth: Length) -> Pixels {
+    Pixels::new(times_over(focal_length.px(), baseline.m(), depth.m()))
+}

@@ -1,0 +1,257 @@
+//! The uncertainty of one distance: golden figures, the definition of the interval, and every magnitude an f64 can have.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
+
+use depth_core::field::Field;
+use depth_core::measured::Measured;
+use depth_core::quantity::{Length, Pixels};
+use depth_core::stereo;
+use depth_core::uncertainty::{FIRST_ORDER_LIMIT, Model, Unusable};
+use proptest::prelude::*;
+
+const NO_DOFFS: Measured = Measured::exact(0.0);
+
+fn mug() -> Model {
+    Model::stereo(
+        Measured::new(700.0, 2.0),
+        Measured::new(0.1, 0.0005),
+        Measured::new(50.0, 0.5),
+        NO_DOFFS,
+    )
+    .unwrap()
+}
+
+fn mug_by_its_width() -> Model {
+    Model::monocular(Measured::new(700.0, 2.0), Measured::new(0.30, 0.01), Measured::new(150.0, 2.0)).unwrap()
+}
+
+fn disparity_only(disparity: f64, sigma: f64) -> Model {
+    Model::stereo(
+        Measured::exact(700.0),
+        Measured::exact(0.1),
+        Measured::new(disparity, sigma),
+        NO_DOFFS,
+    )
+    .unwrap()
+}
+
+fn assert_near(value: f64, expected: f64, tolerance: f64) {
+    assert!((value - expected).abs() <= tolerance, "{value} is not {expected} ± {tolerance}");
+}
+
+#[test]
+fn the_mug_is_1400_mm_away_give_or_take_16() {
+    let distance = mug().depth_with_sigma();
+    assert_near(distance.value, 1.4, 1e-15);
+    assert_near(distance.sigma, 0.016, 0.0005);
+    let interval = mug().interval();
+    assert_near(interval.near.m(), 1.3840, 5e-5);
+    assert_near(interval.far.unwrap().m(), 1.4163, 5e-5);
+}
+
+#[test]
+fn the_mug_by_its_width_is_1400_mm_away_give_or_take_50() {
+    let distance = mug_by_its_width().depth_with_sigma();
+    assert_near(distance.value, 1.4, 1e-15);
+    assert_near(distance.sigma, 0.050, 0.0005);
+    let interval = mug_by_its_width().interval();
+    assert_near(interval.near.m(), 1.3498, 5e-5);
+    assert_near(interval.far.unwrap().m(), 1.4507, 5e-5);
+}
+
+#[test]
+fn the_disparity_is_responsible_for_three_quarters_of_the_variance() {
+    let budget = mug().variance_budget();
+    let sources: Vec<Field> = budget.iter().map(|share| share.source).collect();
+    assert_eq!(sources, [Field::FocalLength, Field::Baseline, Field::Disparity]);
+    assert_near(budget[2].share, 0.75, 0.005);
+    let budget = mug_by_its_width().variance_budget();
+    assert_eq!(budget[1].source, Field::RealWidth);
+    assert_near(budget[1].share, 0.86, 0.005);
+}
+
+#[test]
+fn the_variance_of_doffs_adds_to_that_of_the_disparity() {
+    let doffs = Measured::new(40.0, 0.4);
+    let model = Model::stereo(Measured::exact(700.0), Measured::exact(0.1), Measured::new(50.0, 0.3), doffs).unwrap();
+    // 3-4-5: together 0.5 px on 90 px.
+    assert_near(model.depth().m(), 70.0 / 90.0, 1e-15);
+    assert_near(model.relative_sigma(), 0.5 / 90.0, 1e-15);
+    let budget = model.variance_budget();
+    assert_eq!(budget[3].source, Field::Doffs);
+    assert_near(budget[3].share, 0.64, 1e-12);
+}
+
+#[test]
+fn exact_inputs_give_an_exact_distance() {
+    let model = disparity_only(50.0, 0.0);
+    let interval = model.interval();
+    assert_eq!(model.depth_with_sigma(), Measured::exact(1.4));
+    assert_eq!((interval.near, interval.far), (Length::from_m(1.4), Some(Length::from_m(1.4))));
+    assert_eq!(model.variance_budget(), []);
+    assert_eq!(model.relative_bias(), Some(0.0));
+}
+
+#[test]
+fn with_only_the_disparity_uncertain_the_interval_is_that_of_d_plus_and_minus_sigma() {
+    for (d, sigma) in [(50.0, 0.5), (50.0, 25.0), (3.0, 2.9)] {
+        let at = |d| stereo::depth(Pixels::new(700.0), Length::from_m(0.1), Pixels::new(d)).m();
+        let interval = disparity_only(d, sigma).interval();
+        assert_near(interval.near.m() / at(d + sigma), 1.0, 1e-12);
+        assert_near(interval.far.unwrap().m() / at(d - sigma), 1.0, 1e-12);
+    }
+}
+
+#[test]
+fn there_is_no_upper_bound_once_sigma_reaches_the_disparity() {
+    assert!(disparity_only(2.0, 1.999).interval().far.is_some());
+    assert_eq!(disparity_only(2.0, 2.0).interval().far, None);
+    let interval = disparity_only(2.0, 5.0).interval();
+    assert_eq!(interval.far, None);
+    assert_near(interval.near.m(), 70.0 / 7.0, 1e-12);
+}
+
+#[test]
+fn nothing_is_nearer_than_the_camera_however_uncertain_the_focal_length() {
+    let model = Model::stereo(Measured::new(700.0, 900.0), Measured::exact(0.1), Measured::exact(50.0), NO_DOFFS);
+    assert_eq!(model.unwrap().interval().near, Length::from_m(0.0));
+}
+
+/// ∫ g(x)·φ(x) dx over ±8 by the trapezium rule, which converges exponentially for a smooth integrand.
+fn normal_mean(g: impl Fn(f64) -> f64) -> f64 {
+    let step = 0.001;
+    (-8000..=8000)
+        .map(|i| f64::from(i) * step)
+        .map(|x| g(x) * (-x * x / 2.0).exp() * step)
+        .sum::<f64>()
+        / (2.0 * std::f64::consts::PI).sqrt()
+}
+
+#[test]
+fn the_bias_is_that_of_the_mean_of_the_reciprocal() {
+    for rx in [0.01, 0.05, 0.1] {
+        let exact = normal_mean(|x| 1.0 / (1.0 + rx * x)) - 1.0;
+        let bias = disparity_only(50.0, 50.0 * rx).relative_bias().unwrap();
+        // The rest of the series is 3·rx⁴ + 15·rx⁶ + …
+        assert!(exact > bias && exact - bias < 4.0 * rx.powi(4), "{rx}: {bias} for {exact}");
+    }
+    assert_near(disparity_only(50.0, 5.0).bias().unwrap().m(), 0.014, 1e-12);
+    assert_eq!(disparity_only(50.0, 20.0).bias(), None);
+}
+
+#[test]
+fn first_order_is_trusted_up_to_ten_per_cent() {
+    assert!(disparity_only(10.0, 1.0).first_order_is_good());
+    assert!(!disparity_only(10.0, 1.001).first_order_is_good());
+    // What the doc says of the ends there.
+    let interval = disparity_only(10.0, 1.0).interval();
+    let sigmas = |z: f64| (z / 7.0 - 1.0).abs() / FIRST_ORDER_LIMIT;
+    assert_near(sigmas(interval.far.unwrap().m()), 1.11, 0.005);
+    assert_near(sigmas(interval.near.m()), 0.91, 0.005);
+}
+
+#[test]
+fn an_input_that_cannot_be_used_is_named() {
+    let make = |f, b, d, o| Model::stereo(f, b, d, o);
+    let (f, b, d, o) = (Measured::exact(700.0), Measured::exact(0.1), Measured::exact(50.0), NO_DOFFS);
+    let nan = Measured::exact(f64::NAN);
+    assert_eq!(make(nan, b, d, o), Err(Unusable::Value(Field::FocalLength)));
+    assert_eq!(make(f, Measured::exact(-0.1), d, o), Err(Unusable::Value(Field::Baseline)));
+    assert_eq!(make(f, b, Measured::exact(0.0), o), Err(Unusable::Value(Field::Disparity)));
+    assert_eq!(make(f, b, d, Measured::exact(-50.0)), Err(Unusable::Value(Field::Disparity)));
+    assert_eq!(make(f, b, d, nan), Err(Unusable::Value(Field::Doffs)));
+    assert_eq!(make(f, b, Measured::new(50.0, -1.0), o), Err(Unusable::Sigma(Field::Disparity)));
+    assert_eq!(make(f, b, d, Measured::new(0.0, f64::NAN)), Err(Unusable::Sigma(Field::Doffs)));
+    let huge = Measured::exact(1e300);
+    assert_eq!(make(huge, huge, d, o), Err(Unusable::Distance));
+    assert!(
+        make(f, b, Measured::exact(-10.0), Measured::exact(60.0)).is_ok(),
+        "doffs may make up for it"
+    );
+}
+
+/// Positive numbers of every magnitude from 1e-300 to 1e300.
+fn any_magnitude() -> impl Strategy<Value = f64> {
+    (-300.0..300.0_f64).prop_map(|exponent| 10.0_f64.powf(exponent))
+}
+
+/// σ: often 0, often of the value's size, sometimes anything.
+fn any_measured() -> impl Strategy<Value = Measured> {
+    (any_magnitude(), prop_oneof![Just(0.0), 0.0..3.0_f64], any_magnitude(), 0..4)
+        .prop_map(|(value, relative, anything, choice)| Measured::new(value, if choice == 0 { anything } else { value * relative }))
+}
+
+fn any_model() -> impl Strategy<Value = Result<Model, Unusable>> {
+    prop_oneof![
+        (any_measured(), any_measured(), any_measured(), any_measured()).prop_map(|(f, b, d, o)| Model::stereo(f, b, d, o)),
+        (any_measured(), any_measured(), any_measured()).prop_map(|(f, w, p)| Model::monocular(f, w, p)),
+    ]
+}
+
+/// Ordinary magnitudes, with every σ up to three times its value.
+fn ordinary_model() -> impl Strategy<Value = Model> {
+    let measured = |range: std::ops::Range<f64>| {
+        (range, prop_oneof![Just(0.0), 0.0..0.2, 0.0..3.0]).prop_map(|(value, r)| Measured::new(value, value * r))
+    };
+    (
+        measured(100.0..5000.0),
+        measured(0.01..5.0),
+        measured(0.5..500.0),
+        measured(0.1..100.0),
+    )
+        .prop_map(|(f, b, d, o)| Model::stereo(f, b, d, o).unwrap())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn every_result_is_finite_at_every_magnitude(model in any_model()) {
+        let Ok(model) = model else { return Ok(()) };
+        let distance = model.depth_with_sigma();
+        let interval = model.interval();
+        prop_assert!(distance.value.is_normal() && distance.sigma.is_finite() && distance.sigma >= 0.0);
+        prop_assert!(model.relative_sigma().is_finite() && model.own_relative_sigma().is_finite());
+        prop_assert!(0.0 <= interval.near.m() && interval.near <= model.depth());
+        prop_assert!(interval.far.is_none_or(|far| far.m().is_finite() && far >= model.depth()));
+        prop_assert!(model.bias().is_none_or(|bias| bias.m().is_finite()));
+        for share in model.variance_budget() {
+            prop_assert!((0.0..=1.0 + 1e-12).contains(&share.share), "{:?}", share);
+        }
+    }
+
+    #[test]
+    fn shares_add_to_one_or_there_is_no_uncertainty(model in any_model()) {
+        let Ok(model) = model else { return Ok(()) };
+        let sum: f64 = model.variance_budget().iter().map(|share| share.share).sum();
+        let expected = if model.relative_sigma() == 0.0 { 0.0 } else { 1.0 };
+        prop_assert!((sum - expected).abs() < 1e-12, "{}", sum);
+    }
+
+    /// Fieller's definition: an end θ is where the difference k − θ·x is exactly its own standard deviation.
+    #[test]
+    fn the_ends_are_where_the_inputs_are_contradicted_by_one_sigma(model in ordinary_model()) {
+        let k = model.focal_length().value * model.length().1.value;
+        let rk = model.focal_length().relative().hypot(model.length().1.relative());
+        let x = model.divisor();
+        let interval = model.interval();
+        let contradiction = |theta: f64| (k - theta * x.value).abs() / (k * rk).hypot(theta * x.sigma);
+        if let Some(far) = interval.far && far != interval.near && x.relative() < 0.999 {
+            prop_assert!((contradiction(far.m()) - 1.0).abs() < 1e-9, "far {}", contradiction(far.m()));
+        }
+        if interval.near.m() > 0.0 && interval.near != model.depth() && rk < 0.999 {
+            prop_assert!((contradiction(interval.near.m()) - 1.0).abs() < 1e-6, "near {}", contradiction(interval.near.m()));
+        }
+        prop_assert_eq!(interval.far.is_none(), x.relative() >= 1.0);
+    }
+
+    #[test]
+    fn more_uncertainty_never_narrows_the_interval(model in ordinary_model(), more in 0.0..2.0_f64) {
+        let (f, (_, b), d) = (model.focal_length(), model.length(), model.divisor());
+        let wider = Model::stereo(f, b, Measured::new(d.value, d.sigma * (1.0 + more)), NO_DOFFS).unwrap().interval();
+        let interval = model.interval();
+        prop_assert!(wider.near.m() <= interval.near.m() * (1.0 + 1e-12));
+        if let Some(far) = wider.far {
+            prop_assert!(interval.far.is_some_and(|narrower| narrower.m() <= far.m() * (1.0 + 1e-12)));
+        }
+    }
+}

@@ -1,0 +1,208 @@
+//! Each unknown of the two equations: golden figures, round trips, and σ against numerical derivatives.
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
+
+use depth_core::field::Field;
+use depth_core::measured::Measured;
+use depth_core::unknown::{MonocularEquation, StereoEquation, Term, Unsolvable};
+use proptest::prelude::*;
+
+type Solved = Result<(Term, Measured), Unsolvable>;
+
+/// Stereo from [f, b, d, δ, Z] and monocular from [f, w, p, Z], with one left out.
+fn stereo(given: [Measured; 5], unknown: usize) -> Solved {
+    let term = |i: usize| (i != unknown).then_some(given[i]);
+    StereoEquation {
+        focal_length: term(0),
+        baseline: term(1),
+        disparity: term(2),
+        doffs: term(3),
+        distance: term(4),
+    }
+    .solve()
+}
+
+fn monocular(given: [Measured; 4], unknown: usize) -> Solved {
+    let term = |i: usize| (i != unknown).then_some(given[i]);
+    MonocularEquation {
+        focal_length: term(0),
+        real_width: term(1),
+        image_width: term(2),
+        distance: term(3),
+    }
+    .solve()
+}
+
+/// The OpenCV measurement: f 700 px, b 100 mm, d 50 px, doffs 40 px give 0.77778 m.
+fn measured_pair() -> [Measured; 5] {
+    [
+        Measured::new(700.0, 2.0),
+        Measured::new(0.1, 0.0005),
+        Measured::new(50.0, 0.5),
+        Measured::new(40.0, 0.3),
+        Measured::new(0.777_777_777_777_777_8, 0.01),
+    ]
+}
+
+fn mug() -> [Measured; 4] {
+    [
+        Measured::new(700.0, 2.0),
+        Measured::new(0.30, 0.01),
+        Measured::new(150.0, 2.0),
+        Measured::new(1.4, 0.02),
+    ]
+}
+
+#[test]
+fn each_term_of_the_measured_pair_follows_from_the_others() {
+    let terms = [
+        Term::Input(Field::FocalLength),
+        Term::Input(Field::Baseline),
+        Term::Input(Field::Disparity),
+        Term::Input(Field::Doffs),
+        Term::Distance,
+    ];
+    for (unknown, term) in terms.into_iter().enumerate() {
+        let (found, value) = stereo(measured_pair(), unknown).unwrap();
+        assert_eq!(found, term);
+        assert!(
+            (value.value / measured_pair()[unknown].value - 1.0).abs() < 1e-12,
+            "{term:?} {value:?}"
+        );
+    }
+}
+
+#[test]
+fn each_term_of_the_mug_follows_from_the_others() {
+    let terms = [
+        Term::Input(Field::FocalLength),
+        Term::Input(Field::RealWidth),
+        Term::Input(Field::ImageWidth),
+        Term::Distance,
+    ];
+    for (unknown, term) in terms.into_iter().enumerate() {
+        let (found, value) = monocular(mug(), unknown).unwrap();
+        assert_eq!(found, term);
+        assert!((value.value / mug()[unknown].value - 1.0).abs() < 1e-12, "{term:?} {value:?}");
+    }
+}
+
+/// √Σ(∂x/∂i·σ_i)² with central differences of the solution itself.
+fn numerical_sigma<const N: usize>(given: [Measured; N], unknown: usize, solve: fn([Measured; N], usize) -> Solved) -> f64 {
+    let at = |i: usize, step: f64| {
+        let mut moved = given;
+        moved[i].value += step;
+        solve(moved, unknown).unwrap().1.value
+    };
+    let variance: f64 = (0..N)
+        .filter(|&i| i != unknown)
+        .map(|i| {
+            let step = given[i].value * 1e-5;
+            ((at(i, step) - at(i, -step)) / (2.0 * step) * given[i].sigma).powi(2)
+        })
+        .sum();
+    variance.sqrt()
+}
+
+#[test]
+fn sigma_is_that_of_the_numerical_derivatives() {
+    for unknown in 0..5 {
+        let sigma = stereo(measured_pair(), unknown).unwrap().1.sigma;
+        assert!(
+            (sigma / numerical_sigma(measured_pair(), unknown, stereo) - 1.0).abs() < 1e-7,
+            "stereo {unknown}"
+        );
+    }
+    for unknown in 0..4 {
+        let sigma = monocular(mug(), unknown).unwrap().1.sigma;
+        assert!(
+            (sigma / numerical_sigma(mug(), unknown, monocular) - 1.0).abs() < 1e-7,
+            "monocular {unknown}"
+        );
+    }
+}
+
+#[test]
+fn exactly_one_unknown_is_wanted() {
+    assert_eq!(StereoEquation::default().solve(), Err(Unsolvable::NotOneUnknown));
+    assert_eq!(stereo(measured_pair(), 5), Err(Unsolvable::NotOneUnknown));
+    assert_eq!(MonocularEquation::default().solve(), Err(Unsolvable::NotOneUnknown));
+    assert_eq!(monocular(mug(), 4), Err(Unsolvable::NotOneUnknown));
+}
+
+#[test]
+fn a_term_that_cannot_be_used_is_named() {
+    let mut given = measured_pair();
+    given[4] = Measured::exact(0.0);
+    assert_eq!(stereo(given, 1), Err(Unsolvable::Unusable(Term::Distance)));
+    let mut given = measured_pair();
+    given[3] = Measured::exact(-50.0);
+    assert_eq!(stereo(given, 4), Err(Unsolvable::Unusable(Term::Input(Field::Disparity))));
+    let mut given = mug();
+    given[2].sigma = -1.0;
+    assert_eq!(monocular(given, 0), Err(Unsolvable::Unusable(Term::Input(Field::ImageWidth))));
+    let mut given = mug();
+    given[0] = Measured::exact(1e300);
+    given[1] = Measured::exact(1e300);
+    assert_eq!(monocular(given, 3), Err(Unsolvable::TooExtreme(Term::Distance)));
+}
+
+#[test]
+fn doffs_larger_than_the_shift_makes_the_disparity_negative() {
+    let mut given = measured_pair();
+    given[3] = Measured::exact(100.0);
+    let (_, disparity) = stereo(given, 2).unwrap();
+    assert!((disparity.value + 10.0).abs() < 1e-10);
+}
+
+fn any_magnitude() -> impl Strategy<Value = Measured> {
+    (-300.0..300.0_f64, prop_oneof![Just(0.0), 0.0..3.0_f64]).prop_map(|(exponent, relative)| {
+        let value = 10.0_f64.powf(exponent);
+        Measured::new(value, value * relative)
+    })
+}
+
+fn ordinary(range: std::ops::Range<f64>) -> impl Strategy<Value = Measured> {
+    (range, 0.0..0.5_f64).prop_map(|(value, relative)| Measured::new(value, value * relative))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn stereo_terms_come_back(
+        f in ordinary(100.0..5000.0), b in ordinary(0.01..5.0), d in ordinary(0.5..500.0), o in ordinary(0.0..100.0),
+    ) {
+        let (_, z) = stereo([f, b, d, o, f], 4).unwrap();
+        let given = [f, b, d, o, z];
+        // A disparity and doffs are differences: their rounding is that of the whole.
+        let whole = d.value + o.value;
+        for (unknown, scale) in [f.value, b.value, whole, whole, z.value].into_iter().enumerate() {
+            let (_, found) = stereo(given, unknown).unwrap();
+            prop_assert!((found.value - given[unknown].value).abs() < 1e-12 * scale, "{} {:?}", unknown, found);
+        }
+    }
+
+    #[test]
+    fn monocular_terms_come_back_or_are_refused_at_every_magnitude(
+        given in prop::array::uniform4(any_magnitude()),
+    ) {
+        let Ok((_, z)) = monocular(given, 3) else { return Ok(()) };
+        prop_assert!(z.value.is_normal() && z.sigma.is_finite());
+        let given = [given[0], given[1], given[2], z];
+        for unknown in 0..3 {
+            if let Ok((_, found)) = monocular(given, unknown) {
+                prop_assert!((found.value / given[unknown].value - 1.0).abs() < 1e-12, "{} {:?}", unknown, found);
+                prop_assert!(found.sigma.is_finite() && found.sigma >= 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn stereo_is_finite_or_refused_at_every_magnitude(
+        given in prop::array::uniform5(any_magnitude()), unknown in 0..5_usize,
+    ) {
+        if let Ok((_, found)) = stereo(given, unknown) {
+            prop_assert!(found.value.is_finite() && found.sigma.is_finite() && found.sigma >= 0.0);
+        }
+    }
+}

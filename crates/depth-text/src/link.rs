@@ -1,0 +1,152 @@
+//! Links that fill in the form: `#fx=700&b=100mm&d=50`.
+//!
+//! A link sets only what it names, and what it sets is text, checked like typing.
+
+use crate::inputs::{Entry, Inputs, default_unit};
+use depth_core::problem::Field;
+
+const fn key(field: Field) -> &'static str {
+    match field {
+        Field::FocalLength => "fx",
+        Field::Baseline => "b",
+        Field::Disparity => "d",
+        Field::Doffs => "doffs",
+        Field::ImageWidth => "wimg",
+        Field::RealWidth => "wreal",
+    }
+}
+
+/// The longest text a link may put into a field; longer ones are cut. Nobody types more.
+const LONGEST: usize = 64;
+
+/// Fills `inputs` with what the part of a link behind its `#` names. Returns whether it named anything.
+///
+/// A value is taken as it would be typed: `100mm` sets the unit as well, a bare number has the field's default unit.
+/// Unknown names are passed over.
+pub fn apply(fragment: &str, inputs: &mut Inputs) -> bool {
+    let mut any = false;
+    for pair in fragment.trim_start_matches('#').split('&') {
+        let Some((name, value)) = pair.split_once('=') else { continue };
+        let Some(field) = Field::ALL.into_iter().find(|&field| key(field) == name) else {
+            continue;
+        };
+        let text: String = percent_decoded(value).chars().filter(|c| !c.is_control()).take(LONGEST).collect();
+        *inputs.entry_mut(field) = Entry::new(text, default_unit(field));
+        inputs.tidy(field);
+        any = true;
+    }
+    any
+}
+
+/// The part of a link behind the `#` that fills in `inputs` again: `fx=700&b=100mm&d=50`. Empty fields are left out.
+pub fn fragment(inputs: &Inputs) -> String {
+    let mut pairs = Vec::new();
+    for field in Field::ALL {
+        let entry = inputs.entry(field);
+        if entry.is_blank() {
+            continue;
+        }
+        let typed = super::number::read(&entry.text);
+        let text = typed.map_or(entry.text.trim(), |typed| typed.number_text);
+        let unit = inputs.unit(field).map_or("", |unit| unit.symbol());
+        pairs.push(format!("{}={}{unit}", key(field), percent_encoded(text)));
+    }
+    pairs.join("&")
+}
+
+fn percent_decoded(text: &str) -> String {
+    let mut bytes = Vec::with_capacity(text.len());
+    let mut rest = text.as_bytes();
+    while let Some((&first, tail)) = rest.split_first() {
+        rest = tail;
+        let escaped = match (first, tail) {
+            (b'%', [high, low, after @ ..]) => hex(*high).zip(hex(*low)).map(|(high, low)| (high * 16 + low, after)),
+            _ => None,
+        };
+        match escaped {
+            Some((byte, after)) => {
+                bytes.push(byte);
+                rest = after;
+            }
+            None if first == b'+' => bytes.push(b' '),
+            None => bytes.push(first),
+        }
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+fn percent_encoded(text: &str) -> String {
+    text.bytes()
+        .map(|byte| match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'.' | b'-' | b',' | b'_' => char::from(byte).to_string(),
+            _ => format!("%{byte:02X}"),
+        })
+        .collect()
+}
+
+fn hex(digit: u8) -> Option<u8> {
+    char::from(digit).to_digit(16).and_then(|value| u8::try_from(value).ok())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::inputs::Example;
+    use depth_core::problem::Outcome;
+    use depth_core::quantity::{Length, LengthUnit};
+
+    #[test]
+    fn the_links_of_the_examples_fill_them_in() {
+        for (link, metres) in [("#fx=700&b=100mm&d=50", 1.4), ("#fx=950&wimg=200&wreal=0.9m", 4.275)] {
+            let mut inputs = Inputs::default();
+            assert!(apply(link, &mut inputs));
+            let solution = inputs.assess().solution;
+            let distance = solution.stereo.distance().or(solution.monocular.distance());
+            assert_eq!(distance, Some(Length::from_m(metres)), "{link}");
+        }
+    }
+
+    #[test]
+    fn a_link_sets_only_what_it_names() {
+        let mut inputs = Example::CoffeeMug.inputs();
+        assert!(apply("d=25&x=1&nonsense", &mut inputs));
+        assert_eq!(inputs.assess().solution.stereo, Outcome::Distance(Length::from_m(2.8)));
+        assert!(!apply("#", &mut inputs));
+    }
+
+    #[test]
+    fn a_bare_number_has_the_default_unit_whatever_was_chosen_before() {
+        let mut inputs = Inputs::default();
+        inputs.choose_unit(Field::Baseline, LengthUnit::Foot);
+        assert!(apply("b=100", &mut inputs));
+        assert_eq!(inputs.entry(Field::Baseline), &Entry::new("100", Some(LengthUnit::Millimetre)));
+    }
+
+    #[test]
+    fn what_is_written_reads_back_even_when_it_is_not_a_number() {
+        for text in ["700", "a&b=c%", "−3", "1,000", "mug ☕"] {
+            let mut inputs = Example::CoffeeMug.inputs();
+            inputs.entry_mut(Field::Disparity).text = text.into();
+            let mut back = Inputs::default();
+            assert!(apply(&fragment(&inputs), &mut back));
+            assert_eq!(back, inputs, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn hostile_links_do_no_harm() {
+        for link in [
+            "#d=%",
+            "#d=%zz",
+            "#d=%ff%fe",
+            "#=&=&",
+            "#d=\u{0}1",
+            &format!("#d={}", "9".repeat(100_000)),
+        ] {
+            let mut inputs = Inputs::default();
+            apply(link, &mut inputs);
+            assert!(inputs.entry(Field::Disparity).text.chars().count() <= LONGEST);
+            let _ = inputs.assess();
+        }
+    }
+}
