@@ -3,7 +3,6 @@
 //! Before this runs, `assets/web/start.js` has checked the browser and fetched the program.
 
 mod browser;
-pub mod mirror;
 mod page;
 
 use std::rc::Rc;
@@ -53,11 +52,11 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
             Box::new(move |creation| {
                 creation.egui_ctx.add_plugin(FirstFrame::default());
                 let ctx = creation.egui_ctx.clone();
-                let options = mirror::Options {
+                let options = egui_mirror::Options {
                     clicked: Rc::new(move |node| node.author_id() == Some(COPY_RESULTS) && copy_results(&running, &ctx)),
-                    ..mirror::Options::default()
+                    ..egui_mirror::Options::default()
                 };
-                if let Err(error) = mirror::Mirror::install_with(&creation.egui_ctx, &mirrored, options) {
+                if let Err(error) = egui_mirror::Mirror::install_with(&creation.egui_ctx, &mirrored, options) {
                     log::error!("The page works, but not with a screen reader: {}", browser::sentence(&error));
                 }
                 expose_mirror();
@@ -84,9 +83,9 @@ fn expose_mirror() {
         // Only a frozen page could refuse, and then there is no test to notice.
         let _ = js_sys::Reflect::set(&mirror, &name.into(), &reader);
     };
-    offer("description", mirror::Mirror::description);
-    offer("readBack", mirror::Mirror::read_back);
-    offer("tree", mirror::Mirror::tree);
+    offer("description", egui_mirror::Mirror::description);
+    offer("readBack", egui_mirror::Mirror::read_back);
+    offer("tree", egui_mirror::Mirror::tree);
     let _ = js_sys::Reflect::set(&js_sys::global(), &"accessibleMirror".into(), &mirror);
 }
 

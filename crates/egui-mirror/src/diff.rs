@@ -2,7 +2,7 @@
 
 use egui::accesskit::{Live, NodeId, Toggled};
 
-use super::model::{Element, Page, Place};
+use crate::model::{Element, Page, Place};
 
 /// One step, to be carried out in order.
 #[derive(Clone, Debug, PartialEq)]

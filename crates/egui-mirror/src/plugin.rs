@@ -7,8 +7,8 @@ use egui::accesskit::Node;
 use wasm_bindgen::JsValue;
 use web_sys::{HtmlCanvasElement, HtmlElement};
 
-use super::dom::Dom;
-use super::events::{self, Listener, SIGNALS};
+use crate::dom::Dom;
+use crate::events::{self, Listener, SIGNALS};
 
 thread_local! {
     /// What belongs to the browser. A plugin must be `Send`, and nothing of the browser is.

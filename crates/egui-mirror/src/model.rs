@@ -9,7 +9,7 @@ use egui::accesskit::{
     Toggled,
 };
 
-use super::roles::{self, Kind, Shape, Within};
+use crate::roles::{self, Kind, Shape, Within};
 
 /// The nodes of one AccessKit tree.
 pub(crate) type Nodes = HashMap<NodeId, Node>;

@@ -7,12 +7,12 @@ use egui::accesskit::{self, Action, ActionData, NodeId, TextSelection, Toggled, 
 use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{Document, Element, FocusOptions, HtmlCanvasElement, HtmlElement, HtmlInputElement, HtmlTextAreaElement, Node};
 
-use super::announcer::Announcer;
-use super::diff::{self, Edit};
-use super::events::{SIGNALS, act};
-use super::model::{self, InputMode, Nodes, Page, element_id};
-use super::plugin::Options;
-use super::pointer::Gate;
+use crate::announcer::Announcer;
+use crate::diff::{self, Edit};
+use crate::events::{SIGNALS, act};
+use crate::model::{self, InputMode, Nodes, Page, element_id};
+use crate::plugin::Options;
+use crate::pointer::Gate;
 
 /// Over the canvas, where assistive technology looks for what is under a finger; `pointer` says who gets the pointer all the
 /// same, and what touches mean is for the canvas to say as well. The opacity is not zero, because what has none counts as not
@@ -438,10 +438,10 @@ impl Dom {
         element.top() < host.top() || element.bottom() > host.bottom() || element.left() < host.left() || element.right() > host.right()
     }
 
-    /// The AccessKit tree that the page was made from, as [`super::tree::text`] writes it.
+    /// The AccessKit tree that the page was made from, as [`crate::tree::text`] writes it.
     pub(crate) fn tree(&self) -> String {
         let scale = self.circumstances.map_or(1.0, |(_, scale, _, _)| scale);
-        super::tree::text(&self.nodes, self.root, 1.0 / f64::from(scale))
+        crate::tree::text(&self.nodes, self.root, 1.0 / f64::from(scale))
     }
 
     /// The page as text, from what the browser holds.

@@ -14,7 +14,7 @@ use std::cell::{Cell, RefCell};
 use wasm_bindgen::{JsCast as _, JsValue, closure::Closure};
 use web_sys::{Element, Event, EventTarget, HtmlElement, PointerEvent};
 
-use super::plugin::with;
+use crate::plugin::with;
 
 /// What is listened to, before anybody else hears of it.
 pub(crate) const EVENTS: [&str; 12] = [

@@ -2,7 +2,7 @@
 
 use egui::accesskit::{Affine, Node, NodeId, Toggled};
 
-use super::model::{Nodes, element_id};
+use crate::model::{Nodes, element_id};
 
 /// Separates the nodes.
 const RECORD: char = '\u{1e}';

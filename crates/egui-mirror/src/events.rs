@@ -6,12 +6,12 @@ use egui::accesskit::{Action, ActionData, ActionRequest, NodeId, TreeId};
 use wasm_bindgen::{JsCast as _, JsValue, closure::Closure};
 use web_sys::{AddEventListenerOptions, Element, Event, EventTarget, HtmlInputElement, HtmlTextAreaElement, KeyboardEvent};
 
-use super::dom::Dom;
-use super::keys::{self, Direction, Route};
-use super::model::{self, node_id};
-use super::plugin::with;
-use super::pointer;
-use super::roles::Kind;
+use crate::dom::Dom;
+use crate::keys::{self, Direction, Route};
+use crate::model::{self, node_id};
+use crate::plugin::with;
+use crate::pointer;
+use crate::roles::Kind;
 
 thread_local! {
     pub(crate) static SIGNALS: Signals = Signals::default();

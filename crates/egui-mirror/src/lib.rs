@@ -37,10 +37,14 @@
 //! is about), `set_invalid`, `set_described_by`. A text field
 //! with the role `NumberInput` gets the number keyboard of a phone.
 
-pub(crate) mod diff;
-pub(crate) mod keys;
-pub(crate) mod model;
-pub(crate) mod roles;
+#[cfg(any(test, target_arch = "wasm32"))]
+mod diff;
+#[cfg(any(test, target_arch = "wasm32"))]
+mod keys;
+#[cfg(any(test, target_arch = "wasm32"))]
+mod model;
+#[cfg(any(test, target_arch = "wasm32"))]
+mod roles;
 
 #[cfg(target_arch = "wasm32")]
 mod announcer;
@@ -58,4 +62,4 @@ mod tests;
 mod tree;
 
 #[cfg(target_arch = "wasm32")]
-pub use self::plugin::{Mirror, Options};
+pub use plugin::{Mirror, Options};

@@ -5,9 +5,9 @@ use std::cell::{Cell, RefCell};
 use wasm_bindgen::{JsCast as _, JsValue, closure::Closure};
 use web_sys::{Document, HtmlElement, Node};
 
-use super::diff::{self, Announcement, Urgency};
-use super::model::Page;
-use super::plugin::with;
+use crate::diff::{self, Announcement, Urgency};
+use crate::model::Page;
+use crate::plugin::with;
 
 /// Polite words wait until nothing has changed for so long: a result that changes with every key is said once.
 const PAUSE_MS: i32 = 400;

@@ -2,7 +2,7 @@
 
 use egui::Modifiers;
 
-use super::roles::Kind;
+use crate::roles::Kind;
 
 /// What is done with a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

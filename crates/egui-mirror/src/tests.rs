@@ -5,10 +5,10 @@ use std::collections::{BTreeMap, HashMap};
 use egui::accesskit::{Action, Affine, Live, Node, NodeId, Rect, Toggled};
 use egui::{Modifiers, Role};
 
-use super::diff::{Edit, Urgency, announcements, diff};
-use super::keys::{Route, is_browsers, route};
-use super::model::{Nodes, Page, Place, bare_number, element_id, node_id, number, text_position};
-use super::roles::Kind;
+use crate::diff::{Edit, Urgency, announcements, diff};
+use crate::keys::{Route, is_browsers, route};
+use crate::model::{Nodes, Page, Place, bare_number, element_id, node_id, number, text_position};
+use crate::roles::Kind;
 
 const ROOT: NodeId = NodeId(0);
 
