@@ -1,8 +1,9 @@
-//! What has to be done to a page so that it becomes another one, and what a person has to be told about it.
+//! What has to be done to a page so that it becomes another one.
 
-use egui::accesskit::{Live, NodeId, Toggled};
+use egui::accesskit::{NodeId, Toggled};
 
-use crate::model::{Element, Page, Place};
+use crate::element::Place;
+use crate::page::Page;
 
 /// One step, to be carried out in order.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,15 +29,15 @@ pub(crate) enum Edit {
 /// The steps from `old` to `new`: none if they are equal.
 pub(crate) fn diff(old: &Page, new: &Page) -> Vec<Edit> {
     let mut edits = Vec::new();
-    for element in &old.elements {
-        if !new.get(element.id).is_some_and(|now| is_same_element(now, element)) {
+    for element in old.elements() {
+        if !new.get(element.id).is_some_and(|now| now.is_same_element(element)) {
             edits.push(Edit::Remove(element.id));
         }
     }
     let mut structure = Vec::new();
-    for element in &new.elements {
+    for element in new.elements() {
         let id = element.id;
-        let before = old.get(id).filter(|before| is_same_element(before, element));
+        let before = old.get(id).filter(|before| before.is_same_element(element));
         if before.is_none() {
             edits.push(Edit::Create(id, element.tag));
         }
@@ -78,77 +79,10 @@ pub(crate) fn diff(old: &Page, new: &Page) -> Vec<Edit> {
     edits
 }
 
-/// Can one become the other by changing its attributes? A box that becomes a text field would keep its tick.
-fn is_same_element(one: &Element, other: &Element) -> bool {
-    one.tag == other.tag && one.attributes.get("type") == other.attributes.get("type")
-}
-
 /// Has one of these become another kind of element?
 fn remade(old: &Page, new: &Page, ids: &[NodeId]) -> bool {
     ids.iter().any(|id| match (old.get(*id), new.get(*id)) {
-        (Some(was), Some(now)) => !is_same_element(was, now),
+        (Some(was), Some(now)) => !was.is_same_element(now),
         _ => true,
     })
-}
-
-/// How urgently something is to be said.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Urgency {
-    /// When the person is idle.
-    Polite,
-    /// At once.
-    Assertive,
-}
-
-/// Something to be said aloud.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Announcement {
-    /// Whose words they are: newer words of the same element replace older ones that nobody has heard yet.
-    pub(crate) id: NodeId,
-    pub(crate) urgency: Urgency,
-    pub(crate) words: String,
-}
-
-/// The words of an element, behind what they are about: its description.
-pub(crate) fn said(page: &Page, element: &Element) -> String {
-    let words = page.words(element.id);
-    match element.attributes.get("aria-description") {
-        Some(about) if !words.is_empty() => format!("{about}: {words}"),
-        _ => words,
-    }
-}
-
-/// What is to be said aloud because it has appeared or changed.
-///
-/// A live region is announced by the browser when it changes, but not when it comes into the page with its words
-/// already in it, and not what it is about. So what the application calls live is said by elements that have always been
-/// there. The roles that are live by themselves (`alert`, `status`, …) are left to the browser, but for the words that a
-/// `status` comes with.
-pub(crate) fn announcements(old: &Page, new: &Page) -> Vec<Announcement> {
-    // Nobody wants the whole page read out at its start.
-    if old.elements.is_empty() {
-        return Vec::new();
-    }
-    let all = new.elements.iter().filter_map(|element| {
-        // egui numbers most widgets by their position, so what has this number now may have been something else.
-        let before = old
-            .get(element.id)
-            .filter(|before| is_same_element(before, element) && before.live == element.live);
-        let urgency = match (element.attributes.get("role").map(String::as_str), element.live) {
-            (_, Some(Live::Off)) => return None,
-            (Some("status"), _) if before.is_none() => Urgency::Polite,
-            (Some("alert" | "alertdialog" | "status" | "log" | "timer" | "marquee"), _) => return None,
-            (_, Some(Live::Assertive)) => Urgency::Assertive,
-            (_, Some(Live::Polite)) => Urgency::Polite,
-            _ => return None,
-        };
-        let words = said(new, element);
-        let is_news = before.is_none_or(|before| said(old, before) != words);
-        (is_news && !words.is_empty()).then_some(Announcement {
-            id: element.id,
-            urgency,
-            words,
-        })
-    });
-    all.collect()
 }

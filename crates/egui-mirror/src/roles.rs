@@ -6,9 +6,9 @@
 use egui::Role;
 use egui::accesskit::{Action, Node};
 
-/// How a person operates an element: it decides what keys and events on it mean.
+/// How a person uses an element: it decides what keys and events on it mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub enum Kind {
     /// The browser turns both Enter and Space into a click.
     Button,
     /// A box or a radio button: the browser turns only Space into a click.
@@ -27,7 +27,8 @@ pub(crate) enum Kind {
 
 impl Kind {
     /// Is text typed into it?
-    pub(crate) fn is_text(self) -> bool {
+    #[must_use]
+    pub fn is_text(self) -> bool {
         matches!(self, Self::Line | Self::Lines | Self::Stepper)
     }
 }
@@ -52,7 +53,7 @@ pub(crate) struct Shape {
     pub(crate) input_type: Option<&'static str>,
     /// The explicit role, where the element alone does not say it, or where its position would hide it.
     pub(crate) role: Option<&'static str>,
-    /// How it is operated.
+    /// How it is used.
     pub(crate) kind: Kind,
     /// Is its name the text inside it? Otherwise the name is an attribute.
     pub(crate) named_by_content: bool,
@@ -100,31 +101,52 @@ impl Shape {
 
 /// The HTML form of `node`, or `None` when it has no meaning of its own and only its children count.
 pub(crate) fn shape(node: &Node, within: Within) -> Option<Shape> {
-    let shape = match (node.role(), within) {
+    let role = node.role();
+    let is_nothing = matches!(
+        role,
+        Role::TextRun | Role::ScrollBar | Role::Caret | Role::LineBreak | Role::ListMarker
+    );
+    if is_nothing || is_bare(node) {
+        return None;
+    }
+    let shape = words(node)
+        .or_else(|| button(role, within))
+        .or_else(|| input(role))
+        .or_else(|| table_or_list(role))
+        .or_else(|| section(role));
+    Some(shape.unwrap_or(Shape::part("group")))
+}
+
+/// What is read.
+fn words(node: &Node) -> Option<Shape> {
+    Some(match node.role() {
+        Role::Label | Role::Paragraph | Role::Strong | Role::Emphasis | Role::Mark | Role::Abbr | Role::Legend => Shape::text("span", None),
+        Role::Heading => Shape::text(heading(node.level()), None),
+        Role::Link => Shape::text("a", Some("link")),
+        Role::Caption | Role::FigureCaption => Shape::text("div", Some("caption")),
+        Role::Code => Shape::text("code", None),
+        Role::Blockquote => Shape::text("blockquote", None),
+        Role::Time => Shape::text("time", None),
+        Role::Tooltip => Shape::text("div", Some("tooltip")),
+        Role::Term => Shape::text("div", Some("term")),
+        Role::Definition => Shape::text("div", Some("definition")),
+        Role::Note | Role::Comment => Shape::text("div", Some("note")),
+        Role::Math => Shape::part("math"),
+
+        Role::Status => Shape::text("div", Some("status")),
+        Role::Alert => Shape::text("div", Some("alert")),
+        Role::Log => Shape::text("div", Some("log")),
+        Role::Timer => Shape::text("div", Some("timer")),
+        Role::Marquee => Shape::text("div", Some("marquee")),
+        _ => return None,
+    })
+}
+
+/// What is clicked.
+fn button(role: Role, within: Within) -> Option<Shape> {
+    Some(match (role, within) {
         (Role::Button | Role::DefaultButton, Within::ListBox) => Shape::button(Some("option")),
         (Role::Button | Role::DefaultButton, Within::Menu) => Shape::button(Some("menuitem")),
-
-        (Role::Label | Role::Paragraph | Role::Strong | Role::Emphasis | Role::Mark | Role::Abbr | Role::Legend, _) => {
-            Shape::text("span", None)
-        }
-        (Role::Heading, _) => Shape::text(heading(node.level()), None),
-        (Role::Link, _) => Shape::text("a", Some("link")),
-        (Role::Caption | Role::FigureCaption, _) => Shape::text("div", Some("caption")),
-        (Role::Code, _) => Shape::text("code", None),
-        (Role::Blockquote, _) => Shape::text("blockquote", None),
-        (Role::Time, _) => Shape::text("time", None),
-        (Role::Tooltip, _) => Shape::text("div", Some("tooltip")),
-        (Role::Term, _) => Shape::text("div", Some("term")),
-        (Role::Definition, _) => Shape::text("div", Some("definition")),
-        (Role::Note | Role::Comment, _) => Shape::text("div", Some("note")),
-        (Role::Math, _) => Shape::part("math"),
-
-        (Role::Status, _) => Shape::text("div", Some("status")),
-        (Role::Alert, _) => Shape::text("div", Some("alert")),
-        (Role::Log, _) => Shape::text("div", Some("log")),
-        (Role::Timer, _) => Shape::text("div", Some("timer")),
-        (Role::Marquee, _) => Shape::text("div", Some("marquee")),
-
         (Role::Button | Role::DefaultButton | Role::ColorWell | Role::DisclosureTriangle, _) => Shape::button(None),
         (Role::Tab, _) => Shape::button(Some("tab")),
         (Role::MenuItem, _) => Shape::button(Some("menuitem")),
@@ -137,76 +159,89 @@ pub(crate) fn shape(node: &Node, within: Within) -> Option<Shape> {
             named_by_content: false,
             ..Shape::button(Some("combobox"))
         },
+        _ => return None,
+    })
+}
 
-        (Role::CheckBox, _) => Shape::input("checkbox", None, Kind::Check),
-        (Role::Switch, _) => Shape::input("checkbox", Some("switch"), Kind::Check),
-        (Role::RadioButton, _) => Shape::input("radio", None, Kind::Check),
-        (Role::Slider, _) => Shape::input("range", None, Kind::Range),
-        (Role::SpinButton, _) => Shape::input("text", Some("spinbutton"), Kind::Stepper),
-        (Role::EditableComboBox, _) => Shape::input("text", Some("combobox"), Kind::Line),
-        (Role::SearchInput, _) => Shape::input("text", Some("searchbox"), Kind::Line),
-        (Role::PasswordInput, _) => Shape::input("password", None, Kind::Line),
-        (Role::MultilineTextInput, _) => Shape::new("textarea", None, Kind::Lines),
+/// What is filled in, ticked or set, and what shows a number in the same way.
+fn input(role: Role) -> Option<Shape> {
+    Some(match role {
+        Role::CheckBox => Shape::input("checkbox", None, Kind::Check),
+        Role::Switch => Shape::input("checkbox", Some("switch"), Kind::Check),
+        Role::RadioButton => Shape::input("radio", None, Kind::Check),
+        Role::Slider => Shape::input("range", None, Kind::Range),
+        Role::SpinButton => Shape::input("text", Some("spinbutton"), Kind::Stepper),
+        Role::EditableComboBox => Shape::input("text", Some("combobox"), Kind::Line),
+        Role::SearchInput => Shape::input("text", Some("searchbox"), Kind::Line),
+        Role::PasswordInput => Shape::input("password", None, Kind::Line),
+        Role::MultilineTextInput => Shape::new("textarea", None, Kind::Lines),
         // Not the types "number", "date" and so on: they refuse text that the application accepts ("1,5", "12 mm").
-        (
-            Role::TextInput
-            | Role::NumberInput
-            | Role::EmailInput
-            | Role::PhoneNumberInput
-            | Role::UrlInput
-            | Role::DateInput
-            | Role::DateTimeInput
-            | Role::WeekInput
-            | Role::MonthInput
-            | Role::TimeInput,
-            _,
-        ) => Shape::input("text", None, Kind::Line),
+        Role::TextInput
+        | Role::NumberInput
+        | Role::EmailInput
+        | Role::PhoneNumberInput
+        | Role::UrlInput
+        | Role::DateInput
+        | Role::DateTimeInput
+        | Role::WeekInput
+        | Role::MonthInput
+        | Role::TimeInput => Shape::input("text", None, Kind::Line),
 
-        (Role::ProgressIndicator, _) => Shape::part("progressbar"),
-        (Role::Meter, _) => Shape::part("meter"),
-        (Role::Splitter, _) => Shape::part("separator"),
-        (Role::Image | Role::Canvas | Role::GraphicsObject | Role::GraphicsSymbol | Role::SvgRoot, _) => Shape::part("img"),
-        (Role::Figure | Role::GraphicsDocument, _) => Shape::part("figure"),
+        Role::ProgressIndicator => Shape::part("progressbar"),
+        Role::Meter => Shape::part("meter"),
+        Role::Splitter => Shape::part("separator"),
+        _ => return None,
+    })
+}
 
-        // The roles are repeated, because a positioned table, row or list is no longer one to every browser.
-        (Role::Table | Role::ListGrid, _) => Shape::new("table", Some("table"), Kind::Other),
-        (Role::Grid, _) => Shape::new("table", Some("grid"), Kind::Other),
-        (Role::TreeGrid, _) => Shape::new("table", Some("treegrid"), Kind::Other),
-        (Role::RowGroup, _) => Shape::new("tbody", Some("rowgroup"), Kind::Other),
-        (Role::Row, _) => Shape::new("tr", Some("row"), Kind::Other),
-        (Role::ColumnHeader, _) => Shape::text("th", Some("columnheader")),
-        (Role::RowHeader, _) => Shape::text("th", Some("rowheader")),
-        (Role::Cell, _) => Shape::text("td", Some("cell")),
-        (Role::GridCell, _) => Shape::text("td", Some("gridcell")),
-        (Role::List | Role::DescriptionList, _) => Shape::new("ul", Some("list"), Kind::Other),
-        (Role::ListItem, _) => Shape::text("li", Some("listitem")),
+/// Tables, lists and their parts. The roles are repeated, because a positioned table, row or list is no longer one to every
+/// browser.
+fn table_or_list(role: Role) -> Option<Shape> {
+    Some(match role {
+        Role::Table | Role::ListGrid => Shape::new("table", Some("table"), Kind::Other),
+        Role::Grid => Shape::new("table", Some("grid"), Kind::Other),
+        Role::TreeGrid => Shape::new("table", Some("treegrid"), Kind::Other),
+        Role::RowGroup => Shape::new("tbody", Some("rowgroup"), Kind::Other),
+        Role::Row => Shape::new("tr", Some("row"), Kind::Other),
+        Role::ColumnHeader => Shape::text("th", Some("columnheader")),
+        Role::RowHeader => Shape::text("th", Some("rowheader")),
+        Role::Cell => Shape::text("td", Some("cell")),
+        Role::GridCell => Shape::text("td", Some("gridcell")),
+        Role::List | Role::DescriptionList => Shape::new("ul", Some("list"), Kind::Other),
+        Role::ListItem => Shape::text("li", Some("listitem")),
+        _ => return None,
+    })
+}
 
-        (Role::ListBox, _) => Shape::part("listbox"),
-        (Role::Menu | Role::MenuListPopup, _) => Shape::part("menu"),
-        (Role::MenuBar, _) => Shape::part("menubar"),
-        (Role::Tree, _) => Shape::part("tree"),
-        (Role::TabList, _) => Shape::part("tablist"),
-        (Role::TabPanel, _) => Shape::part("tabpanel"),
-        (Role::RadioGroup, _) => Shape::part("radiogroup"),
-        (Role::Toolbar, _) => Shape::part("toolbar"),
-        (Role::Dialog | Role::Window, _) => Shape::part("dialog"),
-        (Role::AlertDialog, _) => Shape::part("alertdialog"),
-        (Role::Article, _) => Shape::new("article", None, Kind::Other),
-        (Role::Feed, _) => Shape::part("feed"),
-        (Role::Main, _) => Shape::new("main", None, Kind::Other),
-        (Role::Navigation, _) => Shape::new("nav", None, Kind::Other),
-        (Role::Banner, _) => Shape::part("banner"),
-        (Role::ContentInfo, _) => Shape::part("contentinfo"),
-        (Role::Complementary, _) => Shape::new("aside", None, Kind::Other),
-        (Role::Form, _) => Shape::part("form"),
-        (Role::Search, _) => Shape::part("search"),
-        (Role::Document, _) => Shape::part("document"),
-        (Role::Application, _) => Shape::part("application"),
-        (Role::Region | Role::Pane, _) => Shape::part("region"),
-        (Role::TextRun | Role::ScrollBar | Role::Caret | Role::LineBreak | Role::ListMarker, _) => return None,
-        _ => Shape::part("group"),
-    };
-    (!is_bare(node)).then_some(shape)
+/// Pictures, and what groups other elements.
+fn section(role: Role) -> Option<Shape> {
+    Some(match role {
+        Role::Image | Role::Canvas | Role::GraphicsObject | Role::GraphicsSymbol | Role::SvgRoot => Shape::part("img"),
+        Role::Figure | Role::GraphicsDocument => Shape::part("figure"),
+        Role::ListBox => Shape::part("listbox"),
+        Role::Menu | Role::MenuListPopup => Shape::part("menu"),
+        Role::MenuBar => Shape::part("menubar"),
+        Role::Tree => Shape::part("tree"),
+        Role::TabList => Shape::part("tablist"),
+        Role::TabPanel => Shape::part("tabpanel"),
+        Role::RadioGroup => Shape::part("radiogroup"),
+        Role::Toolbar => Shape::part("toolbar"),
+        Role::Dialog | Role::Window => Shape::part("dialog"),
+        Role::AlertDialog => Shape::part("alertdialog"),
+        Role::Article => Shape::new("article", None, Kind::Other),
+        Role::Feed => Shape::part("feed"),
+        Role::Main => Shape::new("main", None, Kind::Other),
+        Role::Navigation => Shape::new("nav", None, Kind::Other),
+        Role::Banner => Shape::part("banner"),
+        Role::ContentInfo => Shape::part("contentinfo"),
+        Role::Complementary => Shape::new("aside", None, Kind::Other),
+        Role::Form => Shape::part("form"),
+        Role::Search => Shape::part("search"),
+        Role::Document => Shape::part("document"),
+        Role::Application => Shape::part("application"),
+        Role::Region | Role::Pane => Shape::part("region"),
+        _ => return None,
+    })
 }
 
 /// A container, or something unknown, that nobody named and nobody can operate.
