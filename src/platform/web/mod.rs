@@ -53,6 +53,7 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
                 creation.egui_ctx.add_plugin(FirstFrame::default());
                 let ctx = creation.egui_ctx.clone();
                 let options = egui_mirror::Options {
+                    is_shortcut,
                     clicked: Rc::new(move |node| node.author_id() == Some(COPY_RESULTS) && copy_results(&running, &ctx)),
                     ..egui_mirror::Options::default()
                 };
@@ -66,6 +67,11 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
         )
         .await
         .map_err(|error| browser::sentence(&error))
+}
+
+/// Whether a key shows another screen, also from a field. On a Mac, where Alt writes another character, these write nothing.
+fn is_shortcut(key: &str, modifiers: egui::Modifiers) -> bool {
+    modifiers.alt && !modifiers.ctrl && key.len() == 1 && key.starts_with(|c: char| c.is_ascii_digit())
 }
 
 /// Copies while the browser still handles the click. Returns whether the program was free to do it.

@@ -20,11 +20,11 @@ fn tab_and_the_keys_of_the_browser_stay_with_the_browser() {
         ..Modifiers::NONE
     };
     for kind in kinds {
-        assert_eq!(route(kind, "Tab", Modifiers::NONE), Route::Browser);
-        assert_eq!(route(kind, "Tab", Modifiers::SHIFT), Route::Browser);
+        assert_eq!(route(kind, "Tab", Modifiers::NONE, false), Route::Browser);
+        assert_eq!(route(kind, "Tab", Modifiers::SHIFT, false), Route::Browser);
         for key in ["f", "r", "l", "t", "+", "-", "0", "F5", "F12"] {
             let modifiers = if key.starts_with('F') { Modifiers::NONE } else { ctrl };
-            assert_ne!(route(kind, key, modifiers), Route::Egui { only: true }, "{kind:?} {key}");
+            assert_ne!(route(kind, key, modifiers, false), Route::Egui { only: true }, "{kind:?} {key}");
         }
     }
 }
@@ -58,22 +58,34 @@ fn a_field_types_and_edits_by_itself_and_only_enter_and_escape_reach_egui() {
         ("z", ctrl),
         ("ArrowLeft", ctrl),
     ] {
-        assert_eq!(route(Kind::Line, key, modifiers), Route::Browser, "{key}");
+        assert_eq!(route(Kind::Line, key, modifiers, false), Route::Browser, "{key}");
     }
-    assert_eq!(route(Kind::Line, "Enter", Modifiers::NONE), Route::Egui { only: true });
+    assert_eq!(route(Kind::Line, "Enter", Modifiers::NONE, false), Route::Egui { only: true });
+    assert_eq!(route(Kind::Line, "2", Modifiers::NONE, false), Route::Browser);
     assert_eq!(
-        route(Kind::Line, "2", Modifiers::ALT),
-        Route::Egui { only: false },
-        "another screen"
-    );
-    assert_eq!(route(Kind::Line, "2", Modifiers::NONE), Route::Browser);
-    assert_eq!(
-        route(Kind::Range, "ArrowUp", Modifiers::SHIFT),
+        route(Kind::Range, "ArrowUp", Modifiers::SHIFT, false),
         Route::Egui { only: true },
         "a larger step"
     );
-    assert_eq!(route(Kind::Lines, "Enter", Modifiers::NONE), Route::Browser, "a new line");
-    assert_eq!(route(Kind::Lines, "Escape", Modifiers::NONE), Route::Egui { only: false });
-    assert_eq!(route(Kind::Other, " ", Modifiers::NONE), Route::Click);
-    assert_eq!(route(Kind::Button, " ", Modifiers::NONE), Route::Browser, "which clicks by itself");
+    assert_eq!(route(Kind::Lines, "Enter", Modifiers::NONE, false), Route::Browser, "a new line");
+    assert_eq!(route(Kind::Lines, "Escape", Modifiers::NONE, false), Route::Egui { only: false });
+    assert_eq!(route(Kind::Other, " ", Modifiers::NONE, false), Route::Click);
+    assert_eq!(
+        route(Kind::Button, " ", Modifiers::NONE, false),
+        Route::Browser,
+        "which clicks by itself"
+    );
+}
+
+#[test]
+fn a_shortcut_of_the_application_reaches_egui_from_a_field_too() {
+    for kind in [Kind::Line, Kind::Lines, Kind::Stepper, Kind::Button] {
+        assert_eq!(route(kind, "2", Modifiers::ALT, true), Route::Egui { only: false }, "{kind:?}");
+        assert_eq!(
+            route(kind, "Tab", Modifiers::NONE, true),
+            Route::Browser,
+            "Tab is the browser's, always"
+        );
+    }
+    assert_eq!(route(Kind::Line, "2", Modifiers::ALT, false), Route::Browser);
 }

@@ -127,6 +127,11 @@ impl Dom {
         self.nodes.get(&id).is_some_and(|node| (self.options.clicked)(node))
     }
 
+    /// Is it a shortcut of the application?
+    pub(crate) fn is_shortcut(&self, key: &str, modifiers: egui::Modifiers) -> bool {
+        (self.options.is_shortcut)(key, modifiers)
+    }
+
     /// Takes over what egui says now, and returns what is to be read aloud about it. If nothing has changed, the browser is not
     /// called at all.
     pub(crate) fn update(&mut self, update: TreeUpdate) -> Vec<Announcement> {

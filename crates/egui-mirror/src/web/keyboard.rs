@@ -23,14 +23,15 @@ pub(crate) fn pressed(event: &Event, id: NodeId) {
     let _ = with(|mirror| {
         let dom = &mirror.dom;
         let Some(element) = dom.page().get(id) else { return };
-        match keys::route(element.kind, &event.key(), modifiers) {
+        let key = event.key();
+        match keys::route(element.kind, &key, modifiers, dom.is_shortcut(&key, modifiers)) {
             Route::Browser => (),
             Route::Egui { only } => {
                 if only {
                     event.prevent_default();
                 }
                 // egui let go of its focus on Escape or Enter, but the person is still here.
-                if dom.page().focus() != Some(id) && event.key() != "Escape" {
+                if dom.page().focus() != Some(id) && key != "Escape" {
                     act(dom.ctx(), id, Action::Focus, None);
                 }
                 press(dom.ctx(), event, modifiers, element.kind);

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use egui::Modifiers;
 use egui::accesskit::Node;
 use web_sys::HtmlElement;
 
@@ -15,6 +16,10 @@ pub struct Options {
     pub host: Option<HtmlElement>,
     /// The value of HTML's `inputmode` for a text field, where its role does not say enough.
     pub input_mode: InputMode,
+    /// Is this key (`KeyboardEvent.key`, with its modifiers) a shortcut of the application that egui hears of even while a text
+    /// field has the focus? A field keeps all others but Enter, Escape and the function keys to itself. The browser does what it
+    /// does with a shortcut as well.
+    pub is_shortcut: fn(&str, Modifiers) -> bool,
     /// Called with what is clicked in the mirror, by a key or by assistive technology, while the browser handles the click: for
     /// what it allows only then. egui hears of a click in its next frame, which in Safari is too late for the clipboard. Returns
     /// whether that was all there is to do; if not, egui is told.
@@ -26,6 +31,7 @@ impl Default for Options {
         Self {
             host: None,
             input_mode: |_| None,
+            is_shortcut: |_, _| false,
             clicked: Rc::new(|_| false),
         }
     }
