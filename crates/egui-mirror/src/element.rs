@@ -43,6 +43,8 @@ pub struct Allowed {
 pub struct Element {
     /// The node that it stands for, in egui the id of the widget.
     pub id: NodeId,
+    /// What the author of the application calls it, if anything (`Node::set_author_id`).
+    pub author_id: Option<String>,
     /// The name of the HTML element.
     pub tag: &'static str,
     /// How a person uses it.
@@ -90,6 +92,7 @@ impl Element {
         };
         Self {
             id,
+            author_id: node.author_id().map(str::to_owned),
             tag: shape.tag,
             kind: shape.kind,
             allowed,

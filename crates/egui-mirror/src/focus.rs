@@ -25,16 +25,25 @@ impl Page {
         self.tab_stops().find(|stop| self.contains(dialog.id, *stop))
     }
 
-    /// What is now what `before` was: the element with its name, or else the one with its node. egui numbers most widgets
-    /// by their position, so when something appears above them, they can get another number and theirs another widget.
-    pub(crate) fn successor(&self, before: &Element) -> Option<NodeId> {
-        let is_it = |element: &&Element| {
-            element.tag == before.tag && element.name == before.name && !before.name.is_empty() && self.can_take_focus(element.id)
-        };
-        let same_node = self.get(before.id);
-        let successor = same_node.filter(is_it).or_else(|| self.elements().iter().find(is_it));
-        let is_same_kind = |element: &&Element| element.tag == before.tag && self.can_take_focus(element.id);
-        successor.or_else(|| same_node.filter(is_same_kind)).map(|element| element.id)
+    /// What is now what `held` was in the page `old`.
+    ///
+    /// The author's id decides, where there is one. Else it is the element of the same node, even if it has another name now. But
+    /// egui numbers widgets to which nobody gave an id by their position: when something appears above them, they get another
+    /// number, and theirs another widget. So where the name has changed and another element has just got it, it is that one.
+    pub(crate) fn successor(&self, old: &Self, held: &Element) -> Option<NodeId> {
+        if held.author_id.is_some() {
+            let is_it = |element: &&Element| element.author_id == held.author_id && self.can_take_focus(element.id);
+            return self.elements().iter().find(is_it).map(|element| element.id);
+        }
+        let fits = |element: &&Element| element.tag == held.tag && element.author_id.is_none() && self.can_take_focus(element.id);
+        let same_node = self.get(held.id).filter(fits);
+        if same_node.is_some_and(|element| element.name == held.name) {
+            return Some(held.id);
+        }
+        let has_name = |element: &Element| element.tag == held.tag && element.name == held.name && !held.name.is_empty();
+        let had_name = |element: &Element| old.get(element.id).is_some_and(has_name);
+        let mut newcomers = self.elements().iter().filter(|element| has_name(element) && !had_name(element));
+        newcomers.find(fits).or(same_node).map(|element| element.id)
     }
 }
 
@@ -59,7 +68,7 @@ pub(crate) fn destination(old: &Page, new: &Page, held: &Element, visited: &[Nod
     }
     let mut latest_first = visited.iter().rev().copied();
     // Back to where the person was, or into the dialog that is open.
-    new.successor(held)
+    new.successor(old, held)
         .or_else(|| latest_first.find(|id| new.can_take_focus(*id)))
         .or_else(|| new.first_stop_in_dialog())
         .map_or(Destination::Canvas, Destination::LeadEgui)

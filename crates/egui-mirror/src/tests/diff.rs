@@ -36,6 +36,25 @@ struct Made {
     children: Vec<NodeId>,
 }
 
+#[test]
+fn a_new_text_or_another_order_makes_no_element_anew() {
+    let mut tree = TestTree::new();
+    let words = ["One", "Two", "Three", "Four"];
+    let ids = words.map(|word| tree.add(ROOT, Role::Button, |node| control(node, word)));
+    let before = tree.page();
+    for (id, word) in ids.iter().zip(["Two", "Un", "", "Four"]) {
+        tree.nodes.get_mut(id).unwrap().set_label(word);
+    }
+    let [one, two, three, four] = ids;
+    tree.nodes.get_mut(&ROOT).unwrap().set_children([four, two, one, three]);
+    let after = tree.page();
+    let edits = diff(&before, &after);
+    assert!(edits.contains(&Edit::Text(one, "Two".to_owned())));
+    assert!(edits.contains(&Edit::Children(None, vec![four, two, one, three])));
+    let is_anew = |edit: &Edit| matches!(edit, Edit::Create(..) | Edit::Remove(_));
+    assert!(!edits.iter().any(is_anew), "{edits:?}");
+}
+
 /// What a browser would hold after the edits.
 #[derive(Default)]
 struct Browser {

@@ -1,5 +1,5 @@
 use egui::Role;
-use egui::accesskit::NodeId;
+use egui::accesskit::{Node, NodeId};
 
 use super::{ROOT, TestTree, control};
 use crate::focus::{Destination, destination};
@@ -11,20 +11,55 @@ fn what_had_the_focus_is_found_again_when_its_number_goes_to_another() {
     let field = tree.add(ROOT, Role::TextInput, |node| control(node, "Length"));
     let other = tree.add(ROOT, Role::TextInput, |node| control(node, "Width"));
     let before = tree.page();
-    let swap = |tree: &mut TestTree, one, two| {
+    let successor = |tree: &TestTree| tree.page().successor(&before, before.get(field).unwrap());
+    let name = |tree: &mut TestTree, one, two| {
         tree.nodes.get_mut(&field).unwrap().set_label(one);
         tree.nodes.get_mut(&other).unwrap().set_label(two);
     };
-    swap(&mut tree, "Height", "Length");
-    assert_eq!(tree.page().successor(before.get(field).unwrap()), Some(other));
-    swap(&mut tree, "Extent", "Width");
-    assert_eq!(tree.page().successor(before.get(field).unwrap()), Some(field), "renamed");
+    name(&mut tree, "Height", "Length");
+    assert_eq!(successor(&tree), Some(other));
+    name(&mut tree, "Extent", "Width");
+    assert_eq!(successor(&tree), Some(field), "renamed");
     tree.nodes.get_mut(&field).unwrap().set_role(Role::Label);
-    assert_eq!(
-        tree.page().successor(before.get(field).unwrap()),
-        None,
-        "no words can have the focus"
-    );
+    assert_eq!(successor(&tree), None, "no words can have the focus");
+}
+
+#[test]
+fn a_new_text_does_not_lead_the_focus_to_another_element_with_the_old_one() {
+    let mut tree = TestTree::new();
+    let first = tree.add(ROOT, Role::Button, |node| control(node, "Show"));
+    let second = tree.add(ROOT, Role::Button, |node| control(node, "Show"));
+    let before = tree.page();
+    for (held, other) in [(first, second), (second, first)] {
+        let mut tree = tree.clone();
+        tree.nodes.get_mut(&held).unwrap().set_label("Hide");
+        let held_before = before.get(held).unwrap();
+        assert_eq!(tree.page().successor(&before, held_before), Some(held));
+        tree.nodes.get_mut(&held).unwrap().set_hidden();
+        assert_eq!(
+            tree.page().successor(&before, held_before),
+            None,
+            "{other:?} is another, and always was"
+        );
+    }
+}
+
+#[test]
+fn the_authors_id_says_what_had_the_focus_whatever_its_text_and_its_number_are_now() {
+    let named = |node: &mut Node, id: &str, text: &str| {
+        control(node, text);
+        node.set_author_id(id);
+    };
+    let mut before = TestTree::new();
+    let first = before.add(ROOT, Role::Button, |node| named(node, "send", "Send"));
+    before.add(ROOT, Role::Button, |node| named(node, "clear", "Clear"));
+    let mut after = TestTree::new();
+    assert_eq!(after.add(ROOT, Role::Button, |node| named(node, "undo", "Send")), first);
+    let third = after.add(ROOT, Role::Button, |node| named(node, "send", "Sent"));
+    let (old, new) = (before.page(), after.page());
+    assert_eq!(new.successor(&old, old.get(first).unwrap()), Some(third));
+    after.nodes.get_mut(&third).unwrap().set_hidden();
+    assert_eq!(after.page().successor(&old, old.get(first).unwrap()), None);
 }
 
 /// A form with two fields, and the ids of these.

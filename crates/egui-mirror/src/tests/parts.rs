@@ -24,6 +24,7 @@ fn an_element_leads_back_to_its_node() {
     for id in [0, 1, u64::MAX].map(NodeId) {
         assert_eq!(node_id(&element_id(id)), Some(id));
     }
+    assert_eq!(element_id(NodeId(42)), "mirror-2a", "by nothing but its number");
     assert_eq!(node_id("app"), None);
 }
 
