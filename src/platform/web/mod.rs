@@ -3,7 +3,6 @@
 //! Before this runs, `assets/web/start.js` has checked the browser and fetched the program.
 
 mod browser;
-pub mod mirror;
 mod page;
 
 use std::rc::Rc;
@@ -53,11 +52,12 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
             Box::new(move |creation| {
                 creation.egui_ctx.add_plugin(FirstFrame::default());
                 let ctx = creation.egui_ctx.clone();
-                let options = mirror::Options {
+                let options = egui_mirror::Options {
+                    is_shortcut,
                     clicked: Rc::new(move |node| node.author_id() == Some(COPY_RESULTS) && copy_results(&running, &ctx)),
-                    ..mirror::Options::default()
+                    ..egui_mirror::Options::default()
                 };
-                if let Err(error) = mirror::Mirror::install_with(&creation.egui_ctx, &mirrored, options) {
+                if let Err(error) = egui_mirror::Mirror::install_with(&creation.egui_ctx, &mirrored, options) {
                     log::error!("The page works, but not with a screen reader: {}", browser::sentence(&error));
                 }
                 expose_mirror();
@@ -67,6 +67,11 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
         )
         .await
         .map_err(|error| browser::sentence(&error))
+}
+
+/// Whether a key shows another screen, also from a field. On a Mac, where Alt writes another character, these write nothing.
+fn is_shortcut(key: &str, modifiers: egui::Modifiers) -> bool {
+    modifiers.alt && !modifiers.ctrl && key.len() == 1 && key.starts_with(|c: char| c.is_ascii_digit())
 }
 
 /// Copies while the browser still handles the click. Returns whether the program was free to do it.
@@ -84,9 +89,9 @@ fn expose_mirror() {
         // Only a frozen page could refuse, and then there is no test to notice.
         let _ = js_sys::Reflect::set(&mirror, &name.into(), &reader);
     };
-    offer("description", mirror::Mirror::description);
-    offer("readBack", mirror::Mirror::read_back);
-    offer("tree", mirror::Mirror::tree);
+    offer("description", egui_mirror::Mirror::description);
+    offer("readBack", egui_mirror::Mirror::read_back);
+    offer("tree", egui_mirror::Mirror::tree);
     let _ = js_sys::Reflect::set(&js_sys::global(), &"accessibleMirror".into(), &mirror);
 }
 

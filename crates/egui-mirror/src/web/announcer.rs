@@ -1,17 +1,17 @@
 //! Says aloud what the application calls live.
 
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 
-use wasm_bindgen::{JsCast as _, JsValue, closure::Closure};
+use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{Document, HtmlElement, Node};
 
-use super::diff::{self, Announcement, Urgency};
-use super::model::Page;
-use super::plugin::with;
+use super::timer::Timer;
+use crate::announce::{Announcement, Urgency, said};
+use crate::page::Page;
 
 /// Polite words wait until nothing has changed for so long: a result that changes with every key is said once.
 const PAUSE_MS: i32 = 400;
-/// Then they are taken away again, so that nobody comes across words that are no longer true.
+/// Then they are removed again, so that nobody comes across words that are no longer true.
 const KEEP_MS: i32 = 5000;
 
 /// The elements that browsers watch, there from the start and empty, and what they are to say next.
@@ -19,13 +19,12 @@ pub(crate) struct Announcer {
     polite: HtmlElement,
     assertive: HtmlElement,
     waiting: RefCell<Vec<Announcement>>,
-    timer: Cell<Option<i32>>,
-    on_time: Closure<dyn FnMut()>,
+    timer: Timer,
 }
 
 impl Announcer {
-    /// Makes its elements, at the end of `host`.
-    pub(crate) fn new(document: &Document, host: &Node) -> Result<Self, JsValue> {
+    /// Makes its elements, at the end of `host`. `on_time` must call [`Self::say_waiting`].
+    pub(crate) fn new(document: &Document, host: &Node, on_time: fn()) -> Result<Self, JsValue> {
         let region = |urgency: &str| -> Result<HtmlElement, JsValue> {
             let region: HtmlElement = document.create_element("div")?.dyn_into()?;
             region.set_attribute("aria-live", urgency)?;
@@ -36,10 +35,7 @@ impl Announcer {
             polite: region("polite")?,
             assertive: region("assertive")?,
             waiting: RefCell::default(),
-            timer: Cell::default(),
-            on_time: Closure::new(|| {
-                let _ = with(|dom| dom.announcer().on_time(dom.page()));
-            }),
+            timer: Timer::new(on_time),
         })
     }
 
@@ -52,24 +48,14 @@ impl Announcer {
         waiting.retain(|old| announcements.iter().all(|new| new.id != old.id));
         waiting.extend(announcements);
         let is_urgent = waiting.iter().any(|one| one.urgency == Urgency::Assertive);
-        self.wait(if is_urgent { 0 } else { PAUSE_MS });
+        self.timer.start(if is_urgent { 0 } else { PAUSE_MS });
     }
 
-    fn wait(&self, milliseconds: i32) {
-        let Some(window) = web_sys::window() else { return };
-        if let Some(timer) = self.timer.take() {
-            window.clear_timeout_with_handle(timer);
-        }
-        let function = self.on_time.as_ref().unchecked_ref();
-        let timer = window.set_timeout_with_callback_and_timeout_and_arguments_0(function, milliseconds);
-        self.timer.set(timer.ok());
-    }
-
-    fn on_time(&self, page: &Page) {
-        self.timer.set(None);
+    /// Says what waits and is still so; when nothing waits, falls silent.
+    pub(crate) fn say_waiting(&self, page: &Page) {
         let mut waiting = self.waiting.take();
         // What is no longer so is not said: the error of a number that was only half typed.
-        waiting.retain(|one| page.get(one.id).is_some_and(|element| diff::said(page, element) == one.words));
+        waiting.retain(|one| page.get(one.id).is_some_and(|element| said(page, element) == one.words));
         for (region, urgency) in [(&self.polite, Urgency::Polite), (&self.assertive, Urgency::Assertive)] {
             let words: Vec<&str> = waiting
                 .iter()
@@ -87,7 +73,7 @@ impl Announcer {
             region.set_text_content(Some(&if again { format!("{words}\u{a0}") } else { words }));
         }
         if !waiting.is_empty() {
-            self.wait(KEEP_MS);
+            self.timer.start(KEEP_MS);
         }
     }
 }

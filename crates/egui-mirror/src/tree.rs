@@ -2,7 +2,8 @@
 
 use egui::accesskit::{Affine, Node, NodeId, Toggled};
 
-use super::model::{Nodes, element_id};
+use crate::element::element_id;
+use crate::page::Nodes;
 
 /// Separates the nodes.
 const RECORD: char = '\u{1e}';

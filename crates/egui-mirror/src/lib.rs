@@ -2,7 +2,7 @@
 //!
 //! eframe paints on a canvas, and a canvas is a blank picture to a screen reader, to the browser's search, to a braille
 //! display and to a test that drives the page. egui describes every frame as an AccessKit tree, which eframe drops on
-//! the web. [`Mirror`] is an [`egui::Plugin`] that takes the tree and keeps beside the canvas a real, invisible HTML
+//! the web. `Mirror` is an [`egui::Plugin`] that takes the tree and keeps beside the canvas a real, invisible HTML
 //! page that says the same: buttons are buttons, fields are fields, tables are tables, each at the place where it is
 //! painted. What a person does with them goes back to egui as AccessKit actions and key presses.
 //!
@@ -17,9 +17,9 @@
 //!
 //! # The parts
 //!
-//! `roles` chooses an element for a role; `model` describes the page; `diff` finds what has changed; `keys` says who gets a
-//! key. These four know no browser. `dom` carries the changes out, `announcer` says what is live, `events` listens, `pointer` lets
-//! pointers through to the canvas, and `tree` hands the AccessKit tree itself to a test, which compares.
+//! A pure part, the same on every platform: `roles` chooses an element for a role, `aria` its attributes, `element` makes one of a
+//! node and `describe` a [`Page`] of the tree; `diff` finds what has changed, `announce` what of that is to be read aloud, `focus`
+//! where the keyboard focus goes, and `keys` who gets a key. A thin part, in the folder `web`, carries this out in the browser.
 //!
 //! # Focus and keys
 //!
@@ -37,25 +37,34 @@
 //! is about), `set_invalid`, `set_described_by`. A text field
 //! with the role `NumberInput` gets the number keyboard of a phone.
 
-pub(crate) mod diff;
-pub(crate) mod keys;
-pub(crate) mod model;
-pub(crate) mod roles;
-
-#[cfg(target_arch = "wasm32")]
-mod announcer;
-#[cfg(target_arch = "wasm32")]
-mod dom;
-#[cfg(target_arch = "wasm32")]
-mod events;
-#[cfg(target_arch = "wasm32")]
-mod plugin;
-#[cfg(target_arch = "wasm32")]
-mod pointer;
-#[cfg(test)]
-mod tests;
+#[cfg(any(test, target_arch = "wasm32"))]
+mod announce;
+mod aria;
+#[cfg(any(test, target_arch = "wasm32"))]
+mod caret;
+mod describe;
+#[cfg(any(test, target_arch = "wasm32"))]
+mod diff;
+mod element;
+#[cfg(any(test, target_arch = "wasm32"))]
+mod focus;
+#[cfg(any(test, target_arch = "wasm32"))]
+mod keys;
+mod number;
+mod page;
+mod roles;
+mod text;
 #[cfg(target_arch = "wasm32")]
 mod tree;
 
+#[cfg(test)]
+mod tests;
 #[cfg(target_arch = "wasm32")]
-pub use self::plugin::{Mirror, Options};
+mod web;
+
+pub use describe::Tree;
+pub use element::{Allowed, Element, InputMode, Place, element_id};
+pub use page::{Nodes, Page};
+pub use roles::Kind;
+#[cfg(target_arch = "wasm32")]
+pub use web::{Mirror, Options};

@@ -2,7 +2,7 @@
 
 use egui::Modifiers;
 
-use super::roles::Kind;
+use crate::roles::Kind;
 
 /// What is done with a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,8 +41,8 @@ pub(crate) fn is_browsers(key: &str, modifiers: Modifiers, is_mac: bool) -> bool
     }
 }
 
-/// Decides about `key`, in the words of `KeyboardEvent.key`.
-pub(crate) fn route(kind: Kind, key: &str, modifiers: Modifiers) -> Route {
+/// Decides about `key`, in the words of `KeyboardEvent.key`. `is_shortcut`: the application wants it, whatever is focused.
+pub(crate) fn route(kind: Kind, key: &str, modifiers: Modifiers, is_shortcut: bool) -> Route {
     const SHARED: Route = Route::Egui { only: false };
     const EGUI: Route = Route::Egui { only: true };
     // Tab is the browser's, always: that is why nobody is caught.
@@ -53,15 +53,13 @@ pub(crate) fn route(kind: Kind, key: &str, modifiers: Modifiers) -> Route {
         return Route::Browser;
     }
     let is_function_key = key.len() > 1 && key.starts_with('F') && key.get(1..).is_some_and(|n| n.parse::<u8>().is_ok());
-    if is_function_key {
+    if is_function_key || is_shortcut {
         return SHARED;
     }
     let chord = modifiers.ctrl || modifiers.alt || modifiers.mac_cmd;
     if chord {
         return match key.to_ascii_lowercase().as_str() {
             "enter" => SHARED,
-            // But on a Mac, where another character comes of it, this writes nothing.
-            key if modifiers.alt && !modifiers.ctrl && key.len() == 1 && key.starts_with(|c: char| c.is_ascii_digit()) => SHARED,
             // Copy, paste, undo and moving by words belong to the field.
             _ if kind.is_text() => Route::Browser,
             _ => SHARED,

@@ -11,26 +11,10 @@
 
 use std::cell::{Cell, RefCell};
 
-use wasm_bindgen::{JsCast as _, JsValue, closure::Closure};
-use web_sys::{Element, Event, EventTarget, HtmlElement, PointerEvent};
+use wasm_bindgen::JsCast as _;
+use web_sys::{Element, Event, HtmlElement, PointerEvent};
 
-use super::plugin::with;
-
-/// What is listened to, before anybody else hears of it.
-pub(crate) const EVENTS: [&str; 12] = [
-    "pointerover",
-    "pointermove",
-    "pointerdown",
-    "pointerup",
-    "pointercancel",
-    "pointerout",
-    "mousedown",
-    "touchstart",
-    "touchcancel",
-    "click",
-    "wheel",
-    "dragenter",
-];
+use super::timer::Timer;
 
 /// So long after the last finger was lifted, the next may explore. Between touches that follow each other the browser decides
 /// by itself.
@@ -44,12 +28,11 @@ pub(crate) struct Gate {
     met: RefCell<Option<Element>>,
     /// The pointer whose press was handed to the canvas: all that comes of it is not for the mirror.
     handed_on: Cell<Option<i32>>,
-    timer: Cell<Option<i32>>,
-    on_time: Closure<dyn FnMut()>,
+    timer: Timer,
 }
 
 /// What is to be done with an event besides.
-enum Verdict {
+pub(crate) enum Verdict {
     /// Nothing.
     Leave,
     /// Let the canvas have it.
@@ -65,41 +48,32 @@ enum Verdict {
 }
 
 impl Gate {
-    pub(crate) fn new(host: &HtmlElement) -> Self {
+    /// Lets pointers through `host`. `on_time` must call [`Self::close`].
+    pub(crate) fn new(host: &HtmlElement, on_time: fn()) -> Self {
         Self {
             host: host.clone(),
             is_open: Cell::new(false),
             met: RefCell::default(),
             handed_on: Cell::new(None),
-            timer: Cell::new(None),
-            on_time: Closure::new(|| {
-                let _ = with(|dom| dom.gate().set_open(false));
-            }),
+            timer: Timer::new(on_time),
         }
     }
 
     fn set_open(&self, open: bool) {
-        self.stop_timer();
+        self.timer.stop();
         if self.is_open.replace(open) != open {
             let _ = self.host.style().set_property("pointer-events", if open { "none" } else { "auto" });
         }
     }
 
-    fn close_soon(&self) {
-        self.stop_timer();
-        let function = self.on_time.as_ref().unchecked_ref();
-        let timer = web_sys::window().and_then(|window| {
-            window
-                .set_timeout_with_callback_and_timeout_and_arguments_0(function, LIFTED_MS)
-                .ok()
-        });
-        self.timer.set(timer);
+    /// The mirror meets pointers again.
+    pub(crate) fn close(&self) {
+        self.set_open(false);
     }
 
-    fn stop_timer(&self) {
-        if let (Some(timer), Some(window)) = (self.timer.take(), web_sys::window()) {
-            window.clear_timeout_with_handle(timer);
-        }
+    /// All that comes of this pointer's press, now that the canvas has got it, is not for the mirror.
+    pub(crate) fn note_handed_on(&self, pointer: i32) {
+        self.handed_on.set(Some(pointer));
     }
 
     /// Does a click in the mirror come of a press that the canvas has got?
@@ -107,7 +81,8 @@ impl Gate {
         self.handed_on.take().is_some()
     }
 
-    fn judge(&self, event: &Event, target: &Element) -> Verdict {
+    /// Decides about an event that happened to `target`, somewhere on the page.
+    pub(crate) fn judge(&self, event: &Event, target: &Element) -> Verdict {
         let in_mirror = self.host.contains(Some(target));
         let pointer = event.dyn_ref::<PointerEvent>();
         let id = pointer.map(PointerEvent::pointer_id);
@@ -125,7 +100,7 @@ impl Gate {
             // From one element to another is not out of the page.
             "pointerout" if !is_finger && pointer.is_some_and(|pointer| pointer.related_target().is_none()) => self.set_open(false),
             "pointerdown" if !in_mirror => {
-                self.stop_timer();
+                self.timer.stop();
                 self.handed_on.set(None);
             }
             "pointerdown" => {
@@ -137,7 +112,7 @@ impl Gate {
             }
             "pointerup" | "pointercancel" if in_mirror && self.handed_on.get() != id => return Verdict::Keep,
             "pointerup" | "pointercancel" if !is_mouse => {
-                self.close_soon();
+                self.timer.start(LIFTED_MS);
                 // Of a pen's press a click may come, of a finger's none: see `touchstart`.
                 if is_finger {
                     self.handed_on.set(None);
@@ -157,42 +132,4 @@ impl Gate {
         }
         Verdict::Leave
     }
-}
-
-/// A pointer, or what a browser makes of one, is somewhere on the page.
-pub(crate) fn heard(event: &Event) {
-    let Some(target) = event.target().and_then(|target| target.dyn_into::<Element>().ok()) else {
-        return;
-    };
-    let judged = with(|dom| (dom.gate().judge(event, &target), dom.canvas().clone()));
-    // Not while the page is lent: the canvas may answer with a frame, which changes it.
-    let Some((verdict, canvas)) = judged else { return };
-    match verdict {
-        Verdict::Leave => (),
-        Verdict::HandOn => {
-            let _ = hand_on(event, &canvas);
-        }
-        Verdict::HandOnPress(id) => {
-            let _ = hand_on(event, &canvas);
-            // Not before: the copy is another press, on the canvas.
-            let _ = with(|dom| dom.gate().handed_on.set(Some(id)));
-        }
-        Verdict::Replace => {
-            event.prevent_default();
-            // Where no such event can be made, the canvas has still got the pointer.
-            let _ = hand_on(event, &canvas);
-        }
-        Verdict::Prevent => event.prevent_default(),
-        Verdict::Keep => event.stop_propagation(),
-    }
-}
-
-/// Has `target` hear of an event that happened elsewhere. A browser does not send one twice: this is a copy.
-fn hand_on(event: &Event, target: &EventTarget) -> Result<(), JsValue> {
-    let constructor: js_sys::Function = js_sys::Reflect::get(event, &"constructor".into())?.dyn_into()?;
-    let copy = js_sys::Reflect::construct(&constructor, &js_sys::Array::of2(&event.type_().into(), event))?;
-    if !target.dispatch_event(copy.unchecked_ref())? {
-        event.prevent_default();
-    }
-    Ok(())
 }

@@ -1,0 +1,88 @@
+//! What has to be done to a page so that it becomes another one.
+
+use egui::accesskit::{NodeId, Toggled};
+
+use crate::element::Place;
+use crate::page::Page;
+
+/// One step, to be carried out in order.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Edit {
+    /// Take the element away, with all that it still contains.
+    Remove(NodeId),
+    /// Make an element, not yet in the page.
+    Create(NodeId, &'static str),
+    /// Set an attribute, or take it away.
+    Attribute(NodeId, &'static str, Option<String>),
+    /// Set the text inside the element; it has no children.
+    Text(NodeId, String),
+    /// Set what stands in an input.
+    Value(NodeId, String),
+    /// Set the state of a box.
+    Checked(NodeId, Toggled),
+    /// Move the element.
+    Place(NodeId, Place),
+    /// Put these elements, in this order, into the element, or into the page itself.
+    Children(Option<NodeId>, Vec<NodeId>),
+}
+
+/// The steps from `old` to `new`: none if they are equal.
+pub(crate) fn diff(old: &Page, new: &Page) -> Vec<Edit> {
+    let mut edits = Vec::new();
+    for element in old.elements() {
+        if !new.get(element.id).is_some_and(|now| now.is_same_element(element)) {
+            edits.push(Edit::Remove(element.id));
+        }
+    }
+    let mut structure = Vec::new();
+    for element in new.elements() {
+        let id = element.id;
+        let before = old.get(id).filter(|before| before.is_same_element(element));
+        if before.is_none() {
+            edits.push(Edit::Create(id, element.tag));
+        }
+        for (name, value) in &element.attributes {
+            if before.and_then(|before| before.attributes.get(name)) != Some(value) {
+                edits.push(Edit::Attribute(id, name, Some(value.clone())));
+            }
+        }
+        for name in before.iter().flat_map(|before| before.attributes.keys()) {
+            if !element.attributes.contains_key(name) {
+                edits.push(Edit::Attribute(id, name, None));
+            }
+        }
+        if before.and_then(|before| before.text.as_ref()) != element.text.as_ref() {
+            edits.push(Edit::Text(id, element.text.clone().unwrap_or_default()));
+        }
+        if let Some(value) = &element.value
+            && before.and_then(|before| before.value.as_ref()) != Some(value)
+        {
+            edits.push(Edit::Value(id, value.clone()));
+        }
+        if let Some(checked) = element.checked
+            && before.and_then(|before| before.checked) != Some(checked)
+        {
+            edits.push(Edit::Checked(id, checked));
+        }
+        if before.map(|before| before.place) != Some(element.place) {
+            edits.push(Edit::Place(id, element.place));
+        }
+        let was = before.map_or(&[][..], |before| &before.children);
+        if was != element.children || remade(old, new, was) {
+            structure.push(Edit::Children(Some(id), element.children.clone()));
+        }
+    }
+    if old.roots != new.roots || remade(old, new, &old.roots) {
+        structure.push(Edit::Children(None, new.roots.clone()));
+    }
+    edits.append(&mut structure);
+    edits
+}
+
+/// Has one of these become another kind of element?
+fn remade(old: &Page, new: &Page, ids: &[NodeId]) -> bool {
+    ids.iter().any(|id| match (old.get(*id), new.get(*id)) {
+        (Some(was), Some(now)) => !was.is_same_element(now),
+        _ => true,
+    })
+}

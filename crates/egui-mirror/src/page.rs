@@ -1,0 +1,94 @@
+//! The accessible page: pure data, without a browser.
+
+use std::collections::HashMap;
+
+use egui::accesskit::{Node, NodeId};
+
+use crate::element::Element;
+
+/// The nodes of an AccessKit tree.
+pub type Nodes = HashMap<NodeId, Node>;
+
+/// All elements of the page, in reading order.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Page {
+    elements: Vec<Element>,
+    index: HashMap<NodeId, usize>,
+    pub(crate) roots: Vec<NodeId>,
+    pub(crate) focus: Option<NodeId>,
+}
+
+impl Page {
+    /// All elements, in reading order: each before what is inside it.
+    #[must_use]
+    pub fn elements(&self) -> &[Element] {
+        &self.elements
+    }
+
+    /// The elements that lie in no other one, in reading order.
+    #[must_use]
+    pub fn roots(&self) -> &[NodeId] {
+        &self.roots
+    }
+
+    /// The element that has egui's keyboard focus.
+    #[must_use]
+    pub fn focus(&self) -> Option<NodeId> {
+        self.focus
+    }
+
+    /// The element that stands for a node.
+    #[must_use]
+    pub fn get(&self, id: NodeId) -> Option<&Element> {
+        self.elements.get(*self.index.get(&id)?)
+    }
+
+    pub(crate) fn get_mut(&mut self, id: NodeId) -> Option<&mut Element> {
+        self.elements.get_mut(*self.index.get(&id)?)
+    }
+
+    /// Adds an element behind all others in reading order.
+    pub(crate) fn push(&mut self, element: Element) {
+        self.index.insert(element.id, self.elements.len());
+        self.elements.push(element);
+    }
+
+    /// All words of an element and of what lies inside it.
+    #[must_use]
+    pub fn words(&self, id: NodeId) -> String {
+        let Some(element) = self.get(id) else { return String::new() };
+        let own = element.text.as_deref().unwrap_or(&element.name);
+        let mut words = own.to_owned();
+        for child in &element.children {
+            let inner = self.words(*child);
+            if !words.is_empty() && !inner.is_empty() {
+                words.push(' ');
+            }
+            words.push_str(&inner);
+        }
+        words
+    }
+
+    /// Does the element lie inside the other one, or is it the same?
+    #[must_use]
+    pub fn contains(&self, outer: NodeId, id: NodeId) -> bool {
+        outer == id
+            || self
+                .get(outer)
+                .is_some_and(|outer| outer.children.iter().any(|child| self.contains(*child, id)))
+    }
+
+    /// Is the element in the page, and not behind a modal dialog?
+    #[must_use]
+    pub fn can_be_reached(&self, id: NodeId) -> bool {
+        let mut roots = self.roots.iter().copied();
+        roots.any(|root| self.contains(root, id) && self.get(root).is_some_and(|root| root.attribute("inert").is_none()))
+    }
+
+    /// Is something open that Escape would close: a menu, a list of options, a dialog?
+    #[cfg(any(test, target_arch = "wasm32"))]
+    pub(crate) fn has_popup(&self) -> bool {
+        let mut roles = self.elements.iter().map(Element::role);
+        roles.any(|role| matches!(role, Some("listbox" | "menu" | "dialog" | "alertdialog")))
+    }
+}

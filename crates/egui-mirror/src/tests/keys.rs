@@ -1,0 +1,91 @@
+use egui::Modifiers;
+
+use crate::keys::{Route, is_browsers, route};
+use crate::roles::Kind;
+
+#[test]
+fn tab_and_the_keys_of_the_browser_stay_with_the_browser() {
+    let kinds = [
+        Kind::Button,
+        Kind::Check,
+        Kind::Line,
+        Kind::Lines,
+        Kind::Stepper,
+        Kind::Range,
+        Kind::Other,
+    ];
+    let ctrl = Modifiers {
+        ctrl: true,
+        command: true,
+        ..Modifiers::NONE
+    };
+    for kind in kinds {
+        assert_eq!(route(kind, "Tab", Modifiers::NONE, false), Route::Browser);
+        assert_eq!(route(kind, "Tab", Modifiers::SHIFT, false), Route::Browser);
+        for key in ["f", "r", "l", "t", "+", "-", "0", "F5", "F12"] {
+            let modifiers = if key.starts_with('F') { Modifiers::NONE } else { ctrl };
+            assert_ne!(route(kind, key, modifiers, false), Route::Egui { only: true }, "{kind:?} {key}");
+        }
+    }
+}
+
+#[test]
+fn the_canvas_does_not_keep_the_browsers_keys() {
+    const CTRL: Modifiers = Modifiers::CTRL;
+    const CMD: Modifiers = Modifiers::MAC_CMD;
+    for key in ["p", "P", "s", "o", ","] {
+        assert!(is_browsers(key, CTRL, false) && is_browsers(key, CMD, true), "{key}");
+        assert!(!is_browsers(key, Modifiers::NONE, false), "{key} alone is typed");
+        assert!(!is_browsers(key, CTRL, true), "{key} moves the caret on a Mac");
+    }
+    assert!(is_browsers("ArrowLeft", Modifiers::ALT, false));
+    assert!(!is_browsers("ArrowLeft", Modifiers::ALT, true), "by a word");
+    assert!(!is_browsers("ArrowLeft", CTRL, false), "by a word");
+    assert!(!is_browsers("c", CTRL, false), "eframe leaves it to the browser by itself");
+}
+
+#[test]
+fn a_field_types_and_edits_by_itself_and_only_enter_and_escape_reach_egui() {
+    let ctrl = Modifiers {
+        ctrl: true,
+        command: true,
+        ..Modifiers::NONE
+    };
+    for (key, modifiers) in [
+        ("a", Modifiers::NONE),
+        ("Backspace", Modifiers::NONE),
+        ("v", ctrl),
+        ("z", ctrl),
+        ("ArrowLeft", ctrl),
+    ] {
+        assert_eq!(route(Kind::Line, key, modifiers, false), Route::Browser, "{key}");
+    }
+    assert_eq!(route(Kind::Line, "Enter", Modifiers::NONE, false), Route::Egui { only: true });
+    assert_eq!(route(Kind::Line, "2", Modifiers::NONE, false), Route::Browser);
+    assert_eq!(
+        route(Kind::Range, "ArrowUp", Modifiers::SHIFT, false),
+        Route::Egui { only: true },
+        "a larger step"
+    );
+    assert_eq!(route(Kind::Lines, "Enter", Modifiers::NONE, false), Route::Browser, "a new line");
+    assert_eq!(route(Kind::Lines, "Escape", Modifiers::NONE, false), Route::Egui { only: false });
+    assert_eq!(route(Kind::Other, " ", Modifiers::NONE, false), Route::Click);
+    assert_eq!(
+        route(Kind::Button, " ", Modifiers::NONE, false),
+        Route::Browser,
+        "which clicks by itself"
+    );
+}
+
+#[test]
+fn a_shortcut_of_the_application_reaches_egui_from_a_field_too() {
+    for kind in [Kind::Line, Kind::Lines, Kind::Stepper, Kind::Button] {
+        assert_eq!(route(kind, "2", Modifiers::ALT, true), Route::Egui { only: false }, "{kind:?}");
+        assert_eq!(
+            route(kind, "Tab", Modifiers::NONE, true),
+            Route::Browser,
+            "Tab is the browser's, always"
+        );
+    }
+    assert_eq!(route(Kind::Line, "2", Modifiers::ALT, false), Route::Browser);
+}

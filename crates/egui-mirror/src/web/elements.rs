@@ -1,0 +1,138 @@
+//! The elements of the page in the browser.
+
+use std::collections::HashMap;
+
+use egui::accesskit::{NodeId, Toggled};
+use wasm_bindgen::{JsCast as _, JsValue};
+use web_sys::{Document, Element, HtmlElement, HtmlInputElement, HtmlTextAreaElement, Node};
+
+use super::host;
+use super::signals::{COMPOSING, QUIET};
+use crate::diff::Edit;
+use crate::element::{Place, element_id};
+
+/// Every element lies where it is painted. The size of the text keeps phones from zooming in on a field.
+const STYLE: &str = "position:absolute;box-sizing:border-box;margin:0;padding:0;border:0;min-width:0;min-height:0;\
+    white-space:nowrap;font:inherit;appearance:none";
+
+/// The elements by their nodes.
+pub(crate) struct Elements {
+    document: Document,
+    /// What contains them all.
+    content: HtmlElement,
+    by_node: HashMap<NodeId, HtmlElement>,
+}
+
+impl Elements {
+    pub(crate) fn new(document: Document, content: HtmlElement) -> Self {
+        Self {
+            document,
+            content,
+            by_node: HashMap::new(),
+        }
+    }
+
+    pub(crate) fn get(&self, id: NodeId) -> Option<&HtmlElement> {
+        self.by_node.get(&id)
+    }
+
+    /// Makes one change.
+    pub(crate) fn carry_out(&mut self, edit: Edit) -> Result<(), JsValue> {
+        match edit {
+            Edit::Remove(id) => {
+                if let Some(element) = self.by_node.remove(&id) {
+                    element.remove();
+                }
+            }
+            Edit::Create(id, tag) => {
+                let element: HtmlElement = self.document.create_element(tag)?.dyn_into()?;
+                element.set_id(&element_id(id));
+                element.style().set_css_text(STYLE);
+                self.by_node.insert(id, element);
+            }
+            Edit::Attribute(id, name, value) => {
+                let Some(element) = self.get(id) else { return Ok(()) };
+                match value {
+                    Some(value) => element.set_attribute(name, &value)?,
+                    None => element.remove_attribute(name)?,
+                }
+            }
+            Edit::Text(id, text) => {
+                let Some(element) = self.get(id) else { return Ok(()) };
+                element.set_text_content(Some(&text));
+            }
+            Edit::Value(id, value) => self.set_value(id, &value),
+            Edit::Checked(id, checked) => self.set_checked(id, checked),
+            Edit::Place(id, place) => self.set_place(id, place)?,
+            Edit::Children(parent, children) => self.set_children(parent, &children)?,
+        }
+        Ok(())
+    }
+
+    /// Replaces the content of an input, unless it is that already.
+    pub(crate) fn set_value(&self, id: NodeId, value: &str) {
+        // Writing into a field in the middle of a composition would end it.
+        if COMPOSING.get() == Some(id) {
+            return;
+        }
+        let Some(element) = self.get(id) else { return };
+        if let Some(input) = element.dyn_ref::<HtmlInputElement>() {
+            if input.value() != value {
+                input.set_value(value);
+            }
+        } else if let Some(area) = element.dyn_ref::<HtmlTextAreaElement>()
+            && area.value() != value
+        {
+            area.set_value(value);
+        }
+    }
+
+    fn set_checked(&self, id: NodeId, checked: Toggled) {
+        if let Some(input) = self.get(id).and_then(|element| element.dyn_ref::<HtmlInputElement>()) {
+            input.set_indeterminate(checked == Toggled::Mixed);
+            input.set_checked(checked == Toggled::True);
+        }
+    }
+
+    fn set_place(&self, id: NodeId, place: Place) -> Result<(), JsValue> {
+        let Some(element) = self.get(id) else { return Ok(()) };
+        let style = element.style();
+        let Place { left, top, width, height } = place;
+        for (side, pixels) in [("left", left), ("top", top), ("width", width), ("height", height)] {
+            style.set_property(side, &format!("{pixels}px"))?;
+        }
+        Ok(())
+    }
+
+    /// Puts the children into an element, or into the page itself. What is in its place already is not moved.
+    fn set_children(&self, parent: Option<NodeId>, children: &[NodeId]) -> Result<(), JsValue> {
+        let parent: &Node = match parent {
+            Some(id) => match self.get(id) {
+                Some(element) => element,
+                None => return Ok(()),
+            },
+            None => &self.content,
+        };
+        let mut next = parent.first_child();
+        for child in children.iter().filter_map(|id| self.get(*id)) {
+            let child: &Node = child;
+            if next.as_ref() == Some(child) {
+                next = child.next_sibling();
+            } else {
+                parent.insert_before(child, next.as_ref())?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Focuses an element without telling egui, which knows.
+    pub(crate) fn focus_quietly(&self, id: NodeId) {
+        let Some(element) = self.get(id) else { return };
+        if self.document.active_element().as_deref() == Some(element.unchecked_ref::<Element>()) {
+            return;
+        }
+        QUIET.set(true);
+        host::focus(element);
+        QUIET.set(false);
+    }
+}
