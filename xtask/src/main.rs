@@ -10,6 +10,7 @@ mod licenses;
 mod lighthouse;
 mod origin;
 mod package;
+mod plan;
 mod prerequisites;
 mod serve;
 mod site;

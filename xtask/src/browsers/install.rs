@@ -3,13 +3,29 @@
 use std::path::Path;
 
 use super::engine::{Engine, Places, Programs};
-use super::find::find;
+use super::find::{Missing, find};
+use crate::plan::Plan;
 use crate::step::{command, on_path, run, step};
 use crate::table::Outcome;
 use crate::{apt, tools};
 
+/// What [`find_or_install`] will come to.
+pub(crate) fn plan(engine: Engine, places: &Places, asked: bool) -> Plan {
+    match find(engine, places) {
+        Ok(programs) => Plan::Run(programs.version),
+        Err(missing) if missing.needs_geckodriver => Plan::RunAfter(format!("{}; it will be built.", missing.why)),
+        Err(missing) if can_install(engine, asked) => Plan::RunAfter(format!("{}; it will be installed.", missing.why)),
+        Err(missing) => Plan::LeaveOut(without(engine, &missing)),
+    }
+}
+
+/// Why there is no browser, and what somebody can do who lacks it.
+fn without(engine: Engine, missing: &Missing) -> String {
+    format!("{}. What is needed: {}.", missing.why, engine.advice())
+}
+
 /// Whether [`find_or_install`] would install something here.
-pub(crate) fn can_install(engine: Engine, asked: bool) -> bool {
+fn can_install(engine: Engine, asked: bool) -> bool {
     !engine.packages().is_empty() && apt::may_install(asked)
 }
 
@@ -27,7 +43,7 @@ pub(crate) fn find_or_install(engine: Engine, places: &Places, asked: bool) -> R
         tools::geckodriver().map_err(Outcome::Failed)?;
         found = find(engine, places);
     }
-    found.map_err(|missing| Outcome::LeftOut(format!("{}. What is needed: {}.", missing.why, engine.advice())))
+    found.map_err(|missing| Outcome::LeftOut(without(engine, &missing)))
 }
 
 /// Installs the npm packages that `folder` asks for, unless they are there already.

@@ -6,6 +6,5 @@ mod install;
 mod run;
 
 pub(crate) use engine::{Engine, Places, Programs};
-pub(crate) use find::find;
-pub(crate) use install::{can_install, find_or_install, install_packages};
+pub(crate) use install::{find_or_install, install_packages, plan};
 pub(crate) use run::{Tests, test_files};
