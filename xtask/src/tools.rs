@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 
 use crate::step::{self, cargo, command, on_path, output, run, target, version};
 
-const TARGET: &str = "wasm32-unknown-unknown";
+/// What Rust calls the page's platform.
+pub(crate) const TARGET: &str = "wasm32-unknown-unknown";
 
 /// A program of a package in Rust's registry.
 pub(crate) struct Tool {
