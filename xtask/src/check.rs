@@ -1,9 +1,10 @@
 //! `cargo xtask check`: what a change must satisfy besides the tests.
 
+use crate::platforms::WEB;
 use crate::prerequisites::{self, Needs};
 use crate::step::{cargo, command, run, step};
 use crate::table::{Outcome, Table};
-use crate::tools::{self, CARGO_DENY, TARGET, TYPOS};
+use crate::tools::{self, CARGO_DENY, TYPOS};
 use crate::{architecture, licenses};
 
 /// Bytes on the disk, as measured with `du`.
@@ -43,7 +44,7 @@ const CHECKS: &[Check] = &[
         name: "lints, web page",
         work: || {
             tools::add_target()?;
-            let page = ["--lib", "--bins", "--target", TARGET];
+            let page = ["--lib", "--bins", "--target", WEB];
             run(cargo(&["clippy"]).args(PROGRAM).args(page).args(DENY))
         },
     },
@@ -82,7 +83,7 @@ const CORE_CHECKS: &[Check] = &[
         name: "tests of the mathematics, built for the web",
         work: || {
             tools::add_target()?;
-            let mut build = cargo(&["test", "--locked", "--package", CORE, "--no-run", "--target", TARGET]);
+            let mut build = cargo(&["test", "--locked", "--package", CORE, "--no-run", "--target", WEB]);
             // Property tests come with a source of random numbers, which asks to be told that there is none.
             run(build.env(
                 "CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS",

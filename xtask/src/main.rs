@@ -12,6 +12,7 @@ mod lighthouse;
 mod origin;
 mod package;
 mod plan;
+mod platforms;
 mod prerequisites;
 mod serve;
 mod site;
