@@ -1,6 +1,7 @@
 //! The manual page: one for the whole program, because whoever types `man depth-calculator` wants to know its options.
 
-use super::{COMPLETIONS_HELP, Cli, NAME, calculate};
+use super::arguments::{COMPLETIONS_HELP, Cli, NAME};
+use super::calculate;
 use clap::{Command, CommandFactory};
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, bold, italic, roman};

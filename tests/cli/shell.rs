@@ -57,11 +57,13 @@ fn a_full_disk_is_a_sentence_and_status_1() {
         let words: Vec<_> = arguments.split_whitespace().collect();
         let output = super::program(&words).stdout(full).output().unwrap();
         assert_eq!(output.status.code(), Some(1), "{arguments}");
-        assert_eq!(
-            String::from_utf8(output.stderr).unwrap(),
-            "depth-calculator: The answer could not be written: No space left on device.\n",
-            "{arguments}"
-        );
+        let said = String::from_utf8(output.stderr).unwrap();
+        let expected = if arguments.ends_with("--json") {
+            "{\"error\":{\"message\":\"The answer could not be written: No space left on device.\",\"option\":null}}\n"
+        } else {
+            "depth-calculator: The answer could not be written: No space left on device.\n"
+        };
+        assert_eq!(said, expected, "{arguments}");
     }
 }
 
