@@ -1,13 +1,13 @@
 //! `calculate`: its options, and what is answered, warned about or refused.
 
 use super::digits::in_sentence;
-use super::{Reply, json, text};
+use super::reply::{Refusal, Reply, Warning};
+use super::{json, text};
 use crate::core::problem::{Field, Method, Outcome, Solution};
 use crate::core::quantity::LengthUnit;
 use crate::formats::inputs::{Entry, Inputs, Note, Part, Severity, default_unit};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueHint};
-use serde::Serialize;
 
 /// The lines are short enough for a manual page in 80 columns.
 pub(super) const MORE_HELP: &str = "\
@@ -36,8 +36,9 @@ Examples:
       how sure one can be of the mug, for a program to read
 
 Exit status:
-  0 with an answer, 2 with a one-line reason on standard error,
-  1 if the answer could not be written";
+  0 with an answer, 2 with a one-line reason on standard error (with --json
+  {\"error\": {\"option\": ..., \"message\": ...}}), 1 if the answer could not
+  be written";
 
 const UNCERTAINTY: &str = "Uncertainty";
 const OUTPUT: &str = "Output";
@@ -95,20 +96,11 @@ fn unit_parser() -> impl TypedValueParser<Value = LengthUnit> {
     })
 }
 
-/// What is to be said about an option without refusing it.
-#[derive(Serialize)]
-pub(super) struct Warning {
-    /// The option without its dashes.
-    field: String,
-    message: String,
-}
-
-impl Warning {
-    fn of(note: &Note) -> Self {
-        Self {
-            field: option(note.field, note.part),
-            message: in_sentence(&note.message),
-        }
+/// What a note about an input says about its option.
+fn warning(note: &Note) -> Warning {
+    Warning {
+        field: option(note.field, note.part),
+        message: in_sentence(&note.message),
     }
 }
 
@@ -159,8 +151,8 @@ impl Calculate {
         inputs
     }
 
-    /// The answer, or one sentence that says why there is none.
-    pub(super) fn reply(&self) -> Result<Reply, String> {
+    /// The answer, or why there is none.
+    pub(super) fn reply(&self) -> Result<Reply, Refusal> {
         self.refuse_empty()?;
         let inputs = self.inputs();
         let assessment = inputs.assess();
@@ -170,23 +162,23 @@ impl Calculate {
         if let Some(note) = error
             && !(answered && is_beside_the_answer(solution, note.field))
         {
-            let Warning { field, message } = Warning::of(note);
-            return Err(format!("--{field}: {message}"));
+            return Err(Refusal::of_value(warning(note)));
         }
         if !answered {
-            return Err(self.what_is_missing());
+            return Err(Refusal::sentence(None, self.what_is_missing()));
         }
         // Half of the other method was given: that is worth a warning, an untouched one is not.
         let missing = inputs.missing();
         let missing = missing.iter().filter(|note| assessment.note(note.field).is_none());
-        let mut warnings: Vec<Warning> = assessment.notes.iter().chain(missing).map(Warning::of).collect();
+        let mut warnings: Vec<Warning> = assessment.notes.iter().chain(missing).map(warning).collect();
         let unused = self.unused(solution);
         // What there is a better sentence about is not mentioned again.
         let is_new = |unused: &Warning| warnings.iter().all(|warning| warning.field != unused.field);
         let unused: Vec<Warning> = unused.into_iter().filter(is_new).collect();
         warnings.extend(unused);
         if self.json {
-            return json::answer(solution, &warnings).map(Reply::without_warnings);
+            let answer = json::answer(solution, &warnings).map_err(|reason| Refusal::sentence(None, reason));
+            return answer.map(Reply::without_warnings);
         }
         Ok(Reply {
             text: text::answer(solution, self.unit),
@@ -198,11 +190,13 @@ impl Calculate {
     }
 
     /// An empty value is a variable of a script that was not set, not an input that was left out.
-    fn refuse_empty(&self) -> Result<(), String> {
+    fn refuse_empty(&self) -> Result<(), Refusal> {
         for field in Field::ALL {
             for part in [Part::Value, Part::Sigma] {
                 if self.typed(field, part).is_some_and(|text| text.trim().is_empty()) {
-                    return Err(format!("--{} is empty: give it a value or leave it out.", option(field, part)));
+                    let option = option(field, part);
+                    let sentence = format!("--{option} is empty: give it a value or leave it out.");
+                    return Err(Refusal::sentence(Some(option), sentence));
                 }
             }
         }

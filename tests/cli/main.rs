@@ -52,18 +52,35 @@ fn text(arguments: &str) -> (Vec<String>, Vec<String>) {
     (out, err)
 }
 
-fn refused_words(arguments: &[&str]) -> String {
+/// The one line on stderr of a call that is refused.
+fn refused_line(arguments: &[&str]) -> String {
     let output = run_words(arguments);
     let reason = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2), "{arguments:?}: {reason}");
     assert_eq!(reason.trim_end().lines().count(), 1, "{reason}");
-    assert!(reason.starts_with("depth-calculator: "), "{reason}");
     assert!(output.stdout.is_empty());
+    reason
+}
+
+fn refused_words(arguments: &[&str]) -> String {
+    let reason = refused_line(arguments);
+    assert!(reason.starts_with("depth-calculator: "), "{reason}");
     reason
 }
 
 fn refused(arguments: &str) -> String {
     refused_words(&arguments.split_whitespace().collect::<Vec<_>>())
+}
+
+/// The error of a call with `--json` that is refused.
+fn refused_json(arguments: &str) -> Value {
+    let line = refused_line(&arguments.split_whitespace().collect::<Vec<_>>());
+    let mut whole: Value = serde_json::from_str(&line).unwrap();
+    assert_eq!(whole.as_object().unwrap().len(), 1, "{line}");
+    let error = whole["error"].take();
+    let keys: Vec<_> = error.as_object().unwrap().keys().collect();
+    assert_eq!(keys, ["message", "option"], "{line}");
+    error
 }
 
 fn near(value: &Value, expected: f64, tolerance: f64) {

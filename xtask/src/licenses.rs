@@ -7,6 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::platforms;
 use crate::step::{cargo, output, root};
 
 const FILE: &str = "assets/licenses.txt";
@@ -45,15 +46,6 @@ const FONTS: &[(&str, &str, &str)] = &[
         "Bitstream Vera License",
         "assets/fonts/DejaVu-LICENSE.txt",
     ),
-];
-/// What programs are given away for.
-const PLATFORMS: &[&str] = &[
-    "x86_64-unknown-linux-gnu",
-    "aarch64-unknown-linux-gnu",
-    "x86_64-pc-windows-msvc",
-    "aarch64-apple-darwin",
-    "x86_64-apple-darwin",
-    "wasm32-unknown-unknown",
 ];
 /// No line of the file is longer, so that a window can show one in each row.
 const WIDTH: usize = 100;
@@ -148,7 +140,7 @@ fn wrapped(line: &str) -> String {
 /// The crates that the desktop programs and the page are linked from, in the order of their names.
 fn linked_crates() -> Result<Vec<Crate>, String> {
     let mut crates = BTreeMap::new();
-    for platform in PLATFORMS {
+    for platform in platforms::ALL {
         let arguments = ["metadata", "--format-version", "1", "--locked", "--filter-platform", platform];
         let text = output(&mut cargo(&arguments)).ok_or("`cargo metadata` failed.")?;
         let metadata: Value = serde_json::from_str(&text).map_err(|error| format!("`cargo metadata` cannot be parsed: {error}."))?;

@@ -1,6 +1,7 @@
 //! The commands that build, serve and test Depth Calculator: `cargo xtask` lists them.
 
 mod apt;
+mod architecture;
 mod browsers;
 mod check;
 mod desktop;
@@ -10,6 +11,8 @@ mod licenses;
 mod lighthouse;
 mod origin;
 mod package;
+mod plan;
+mod platforms;
 mod prerequisites;
 mod serve;
 mod site;
@@ -41,8 +44,12 @@ enum Task {
     },
     /// Run all tests, or only some: in Rust, of the desktop program, of size, and in Chromium, Firefox and WebKit
     Test(test::Options),
-    /// Formatting, lints, documentation, spelling, licenses, and that the mathematics builds alone
-    Check,
+    /// Architecture, formatting, lints, documentation, spelling, licenses, and that the mathematics builds alone
+    Check {
+        /// Only what has one of these words in its name
+        #[arg(value_name = "WORD")]
+        words: Vec<String>,
+    },
     /// Build what is given away: the page into dist/, for any static host, or the archive of the desktop program
     Dist {
         #[arg(value_enum, default_value_t = What::Page)]
@@ -77,7 +84,7 @@ fn main() -> ExitCode {
     let outcome = match Xtask::parse().command {
         Task::Serve { port } => serve::run(port),
         Task::Test(options) => test::run_chosen(&options),
-        Task::Check => check::run_all(),
+        Task::Check { words } => check::run_chosen(&words),
         Task::Dist { what: What::Page, .. } => dist::print(),
         Task::Dist {
             what: What::Desktop,

@@ -27,3 +27,8 @@ pub(crate) fn commit() -> Option<String> {
     let changed = git(&["status", "--porcelain", "--untracked-files=no"]).is_some_and(|changes| !changes.is_empty());
     Some(if changed { format!("{commit}+") } else { commit })
 }
+
+/// When that commit was made, in seconds since 1970. `None` outside a repository.
+pub(crate) fn commit_time() -> Option<String> {
+    output(&mut command("git", &["log", "-1", "--format=%ct"]))
+}

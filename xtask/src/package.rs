@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::origin::{cargo_home, commit, nameless};
+use crate::origin::{cargo_home, commit, commit_time, nameless};
 use crate::prerequisites::{self, Needs};
 use crate::step::{cargo, command, on_path, output, root, run, step, target};
 use crate::tools;
@@ -80,6 +80,10 @@ fn build(triple: &str) -> Result<PathBuf, String> {
     build.env(variable, flags);
     if let Some(commit) = commit() {
         build.env("DEPTH_CALCULATOR_COMMIT", commit);
+    }
+    // For the manual page, unless whoever builds has a date of their own.
+    if let Some(time) = commit_time().filter(|_| std::env::var_os("SOURCE_DATE_EPOCH").is_none()) {
+        build.env("SOURCE_DATE_EPOCH", time);
     }
     run(&mut build)?;
     let suffix = if triple.contains("windows") { ".exe" } else { "" };

@@ -4,9 +4,8 @@
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
+use crate::platforms::WEB;
 use crate::step::{self, cargo, command, on_path, output, run, target, version};
-
-const TARGET: &str = "wasm32-unknown-unknown";
 
 /// A program of a package in Rust's registry.
 pub(crate) struct Tool {
@@ -120,19 +119,17 @@ pub(crate) fn geckodriver() -> Result<(), String> {
 
 /// Downloads the crates once, since Trunk then builds without the network.
 pub(crate) fn fetch_crates() -> Result<(), String> {
-    step::step("Fetch the crates", || run(&mut cargo(&["fetch", "--locked", "--target", TARGET])))
+    step::step("Fetch the crates", || run(&mut cargo(&["fetch", "--locked", "--target", WEB])))
 }
 
 /// Makes the pinned Rust able to build WebAssembly.
 pub(crate) fn add_target() -> Result<(), String> {
-    if sysroot()?.join("lib/rustlib").join(TARGET).is_dir() {
+    if sysroot()?.join("lib/rustlib").join(WEB).is_dir() {
         return Ok(());
     }
     step::step("Add the WebAssembly target to Rust (half a minute)", || {
-        run(&mut command("rustup", &["target", "add", TARGET])).map_err(|reason| {
-            format!(
-                "{reason}\nRust cannot build for {TARGET} yet; a Rust that rustup did not install needs that target from where it came."
-            )
+        run(&mut command("rustup", &["target", "add", WEB])).map_err(|reason| {
+            format!("{reason}\nRust cannot build for {WEB} yet; a Rust that rustup did not install needs that target from where it came.")
         })
     })
 }

@@ -1,6 +1,6 @@
 //! Where browsers and their drivers are, on Linux, macOS and Windows.
 
-use super::{Engine, Places, Programs};
+use super::engine::{Engine, Places, Programs};
 use crate::step::{on_path, version};
 use crate::tools;
 use std::path::{Path, PathBuf};

@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 
 use pulldown_cmark::{CodeBlockKind, CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
 
-use super::{escaped, mathml};
+use super::html::escaped;
+use super::mathml;
 
 /// The heading above the questions that search engines are told about.
 const QUESTIONS: &str = "Questions";

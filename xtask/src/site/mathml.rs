@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use std::iter::Peekable;
 use std::str::Chars;
 
-use super::escaped;
+use super::html::escaped;
 
 /// One formula as a `<math>` element of its own line. Err: a sentence that names the formula and what was not understood.
 pub(super) fn block(formula: &str) -> Result<String, String> {

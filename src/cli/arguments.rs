@@ -1,0 +1,58 @@
+//! What can be typed: commands, their arguments and their help.
+
+use super::calculate::{self, Calculate};
+use clap::{Parser, Subcommand};
+use clap_complete::Shell;
+
+/// What the program is called.
+pub(super) const NAME: &str = "depth-calculator";
+
+#[cfg(feature = "app")]
+const LONG_ABOUT: &str = "\
+How far away is it, and how sure can I be?
+
+Without arguments the program opens its window. With `calculate` it answers here and needs no display.";
+#[cfg(not(feature = "app"))]
+const LONG_ABOUT: &str = "\
+How far away is it, and how sure can I be?
+
+This is the command line alone: it was built without the window.";
+
+/// How far away is it, and how sure can I be?
+#[derive(Debug, Parser)]
+#[command(name = NAME, version, about, long_about = LONG_ABOUT)]
+pub(super) struct Cli {
+    #[command(subcommand)]
+    pub(super) command: Option<Task>,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Task {
+    /// Compute the distance from a disparity (two cameras), from a known size (one camera), or both
+    #[command(after_long_help = calculate::MORE_HELP)]
+    Calculate(Box<Calculate>),
+    /// Print the completions of a shell, to be stored where it looks for them
+    #[command(after_long_help = COMPLETIONS_HELP)]
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
+    /// Print the manual page, in the format of man
+    #[command(after_long_help = MAN_HELP)]
+    Man,
+}
+
+pub(super) const COMPLETIONS_HELP: &str = "\
+Examples:
+  depth-calculator completions bash \\
+      > ~/.local/share/bash-completion/completions/depth-calculator
+  depth-calculator completions zsh > ~/.zfunc/_depth-calculator
+      where ~/.zfunc is a folder of fpath
+  depth-calculator completions fish \\
+      > ~/.config/fish/completions/depth-calculator.fish
+  depth-calculator completions powershell >> $PROFILE";
+
+const MAN_HELP: &str = "\
+Examples:
+  depth-calculator man > ~/.local/share/man/man1/depth-calculator.1
+  depth-calculator man | man -l -";
