@@ -8,11 +8,14 @@
     reason = "tests"
 )]
 
+mod images;
+mod snapshots;
+
 use depth_calculator::app::{App, Licenses, Platform};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Vec2, vec2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::{Harness, HarnessBuilder};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
@@ -86,9 +89,12 @@ struct Program {
 
 impl Program {
     fn on(machine: Machine, size: Vec2) -> Self {
+        Self::build(machine, Harness::builder().with_size(size))
+    }
+
+    fn build(machine: Machine, builder: HarnessBuilder<App>) -> Self {
         let platform = machine.clone();
-        let mut harness = Harness::builder()
-            .with_size(size)
+        let mut harness = builder
             // A simulation goes on for twenty frames.
             .with_max_steps(30)
             .build_eframe(move |cc| App::new(cc, Box::new(platform)));

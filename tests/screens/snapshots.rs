@@ -1,0 +1,287 @@
+//! How the screens look.
+
+use crate::images;
+use crate::{B, D, DESKTOP, FX, Machine, PHONE, Program, W_IMG, W_REAL, type_sigma};
+use egui::accesskit::Role;
+use egui::{Vec2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use image::DynamicImage;
+
+/// How much of a screen an image shows.
+#[derive(Clone, Copy)]
+enum Part {
+    /// What can be seen without scrolling.
+    Window,
+    /// What scrolls too, as if the window were high enough.
+    Whole,
+    /// The middle column of the window, where dialogs are.
+    Middle,
+}
+
+/// A window to draw a screen in, and what of it is compared.
+#[derive(Clone, Copy)]
+struct View {
+    name: &'static str,
+    size: Vec2,
+    is_dark: bool,
+    part: Part,
+}
+
+const fn view(name: &'static str, size: Vec2, is_dark: bool) -> View {
+    View {
+        name,
+        size,
+        is_dark,
+        part: Part::Whole,
+    }
+}
+
+const DESKTOP_LIGHT: View = view("desktop-light", DESKTOP, false);
+const DESKTOP_DARK: View = view("desktop-dark", DESKTOP, true);
+const PHONE_LIGHT: View = view("phone-light", PHONE, false);
+const PHONE_DARK: View = view("phone-dark", PHONE, true);
+const TABLET_LIGHT: View = view("tablet-light", vec2(768.0, 1024.0), false);
+const WIDE_DARK: View = view("wide-dark", vec2(1920.0, 1080.0), true);
+
+impl View {
+    const fn only(self, part: Part) -> Self {
+        Self { part, ..self }
+    }
+}
+
+/// Compares a screen in several windows. `prepare` brings the program to where it is drawn.
+fn look(screen: &str, views: &[View], prepare: impl Fn(&mut Program)) {
+    let mut problems = Vec::new();
+    for view in views {
+        let Some(mut program) = draw_in(*view) else { return };
+        prepare(&mut program);
+        program.harness.remove_cursor();
+        if matches!(view.part, Part::Whole) {
+            program.grow_to_contents(view.size);
+        }
+        program.harness.run();
+        let image = program.harness.render().unwrap();
+        let mut image = DynamicImage::from(image);
+        if matches!(view.part, Part::Middle) {
+            image = image.crop_imm((image.width() - DIALOG) / 2, 0, DIALOG, image.height());
+        }
+        let name = format!("{screen}-{}", view.name);
+        problems.extend(images::compare(&image.into_rgb8(), &name).err());
+    }
+    images::report(&problems);
+}
+
+/// Pixels that the widest dialog fits into.
+const DIALOG: u32 = 600;
+
+/// The program in a window whose image can be compared; nothing where none can.
+fn draw_in(view: View) -> Option<Program> {
+    let builder = Harness::builder()
+        .with_size(view.size)
+        .with_pixels_per_point(1.0)
+        .with_render_cursor(false)
+        .renderer(images::renderer()?);
+    let machine = Machine {
+        commit: Some("0123456789abcdef"),
+        ..Machine::default()
+    };
+    let mut program = Program::build(machine, builder);
+    // Letters in four positions between two pixels each would make the files a quarter larger.
+    let all_styles = |style: &mut egui::Style| style.visuals.text_options.subpixel_binning = false;
+    program.harness.ctx.all_styles_mut(all_styles);
+    program.press("Light or dark");
+    let theme = if view.is_dark { "Dark" } else { "Light" };
+    program.harness.get_by_label(theme).click();
+    program.harness.run();
+    Some(program)
+}
+
+impl Program {
+    /// Nothing has the keyboard.
+    fn blur(&mut self) {
+        self.harness.ctx.memory_mut(|memory| {
+            if let Some(id) = memory.focused() {
+                memory.surrender_focus(id);
+            }
+        });
+        self.harness.run();
+    }
+
+    /// Makes the window, which is `size` large at least, as high as its contents.
+    fn grow_to_contents(&mut self, size: Vec2) {
+        const TALL: f32 = 6400.0;
+        const BARS: f32 = 80.0;
+        // Scrolls everything to its top.
+        self.harness.set_size(vec2(size.x, TALL));
+        self.harness.run();
+        self.harness.set_size(size);
+        self.harness.run();
+        let nodes = self.harness.root().children_recursive();
+        let bottoms = nodes
+            .filter(|node| node.accesskit_node().raw_bounds().is_some())
+            .map(|node| node.rect().bottom());
+        let bottom = bottoms.fold(size.y - BARS, f32::max);
+        self.harness.set_size(vec2(size.x, (bottom + BARS).ceil().min(TALL)));
+        self.harness.run();
+    }
+}
+
+#[test]
+fn the_empty_calculator_looks_as_before() {
+    look("empty", &[DESKTOP_LIGHT, PHONE_DARK.only(Part::Window)], |_| {});
+}
+
+#[test]
+fn the_mug_looks_as_before() {
+    look("mug", &[DESKTOP_LIGHT, PHONE_DARK, TABLET_LIGHT, WIDE_DARK], |program| {
+        program.mug();
+        program.blur();
+    });
+}
+
+#[test]
+fn both_methods_with_uncertainty_and_geometry_look_as_before() {
+    look("everything", &[DESKTOP_LIGHT, DESKTOP_DARK, PHONE_DARK], |program| {
+        program.mug();
+        program.type_into(W_IMG, "150");
+        program.type_into(W_REAL, "0.30");
+        program.press("Add uncertainty");
+        for (field, sigma) in [(FX, "2"), (B, "0.5"), (D, "12"), (W_IMG, "30"), (W_REAL, "0.01")] {
+            type_sigma(program, field, sigma);
+        }
+        fill_geometry(program);
+        program.blur();
+        // Two simulations, of twenty frames each.
+        program.harness.run_steps(60);
+        assert_eq!(program.text().matches("100000 draws").count(), 2, "{}", program.text());
+    });
+}
+
+fn fill_geometry(program: &mut Program) {
+    program.press("Range, tilt, ground plane");
+    for (field, text) in [
+        ("Principal point cx", "640"),
+        ("Principal point cy", "360"),
+        ("Column of the pixel (u)", "900"),
+        ("Row of the pixel (v)", "500"),
+        ("Tilt of the target", "20"),
+        ("Height of the camera", "1.2"),
+        ("Pitch of the camera, downwards", "10"),
+        ("Row of the point on the floor", "500"),
+    ] {
+        program.type_into(field, text);
+    }
+    for (field, sigma) in [
+        ("Height of the camera", "0.01"),
+        ("Pitch of the camera, downwards", "0.5"),
+        ("Row of the point on the floor", "1"),
+    ] {
+        type_sigma(program, field, sigma);
+    }
+}
+
+#[test]
+fn errors_and_warnings_look_as_before() {
+    look("errors", &[DESKTOP_LIGHT, PHONE_DARK], |program| {
+        program.type_into(FX, "1,000");
+        program.type_into(B, "0.1");
+        program.type_into(D, "abc");
+        program.type_into(W_IMG, "150");
+        program.press("Calculate Distance");
+    });
+}
+
+#[test]
+fn solving_for_another_quantity_looks_as_before() {
+    look("unknown", &[DESKTOP_DARK, PHONE_LIGHT], |program| {
+        program.type_into(FX, "700");
+        program.type_into(B, "100");
+        program.press("Solve for another quantity");
+        program.type_into("Distance (D)", "1.4");
+        program.blur();
+    });
+}
+
+/// Where a dialog is compared.
+const DIALOG_VIEWS: [View; 3] = [
+    DESKTOP_LIGHT.only(Part::Middle),
+    DESKTOP_DARK.only(Part::Middle),
+    PHONE_DARK.only(Part::Window),
+];
+
+#[test]
+fn the_helper_for_the_focal_length_looks_as_before() {
+    look("focal-length", &DIALOG_VIEWS, |program| {
+        program.press("from lens, FOV or Q…");
+        program.type_into("Focal length of the lens", "4");
+        program.type_into("Pixel pitch", "3");
+        program.blur();
+    });
+}
+
+#[test]
+fn the_helper_for_the_disparity_looks_as_before() {
+    let [desktop, _, phone] = DIALOG_VIEWS;
+    look("disparity", &[desktop, phone], |program| {
+        program.press("OpenCV ×16, doffs…");
+        program.choose("What is known", "OpenCV StereoBM or StereoSGBM");
+        program.type_into("Stored value", "-16");
+        program.type_into("minDisparity", "0");
+        program.blur();
+    });
+}
+
+#[test]
+fn a_q_matrix_looks_as_before() {
+    let [desktop, _, phone] = DIALOG_VIEWS;
+    look("q-matrix", &[desktop, phone], |program| {
+        type_q_matrix(program);
+        program.blur();
+    });
+}
+
+#[test]
+fn what_a_q_matrix_filled_in_a_notice_and_a_choice_of_units_look_as_before() {
+    let views = [DESKTOP_LIGHT, PHONE_DARK].map(|view| view.only(Part::Window));
+    look("doffs", &views, |program| {
+        type_q_matrix(program);
+        program.press("100.000 mm");
+        program
+            .harness
+            .get_by_role_and_label(Role::ComboBox, &format!("Unit of {B}"))
+            .click();
+        program.harness.run();
+    });
+}
+
+fn type_q_matrix(program: &mut Program) {
+    program.press("from lens, FOV or Q…");
+    program.choose("What is known", "A Q matrix");
+    program.harness.get_by_label("Q matrix").focus();
+    program.harness.run();
+    let matrix = "[[1. 0. 0. -610.] [0. 1. 0. -350.] [0. 0. 0. 700.] [0. 0. 0.01 0.4]]";
+    program.harness.get_by_label("Q matrix").type_text(matrix);
+    program.harness.run();
+}
+
+#[test]
+fn learn_looks_as_before() {
+    look("learn", &[DESKTOP_DARK.only(Part::Window), PHONE_LIGHT], |program| {
+        program.press("Learn")
+    });
+}
+
+#[test]
+fn the_keys_look_as_before() {
+    look("keys", &DIALOG_VIEWS, |program| program.press("Keys"));
+}
+
+#[test]
+fn about_looks_as_before() {
+    let views = [DESKTOP_DARK.only(Part::Middle), PHONE_LIGHT.only(Part::Window)];
+    look("about", &views, |program| {
+        program.press("Keys");
+        program.press("About Depth Calculator");
+    });
+}
