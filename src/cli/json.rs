@@ -49,8 +49,8 @@ pub(super) fn answer(solution: &Solution, warnings: &[Warning]) -> Result<String
         stereo: distance(Method::Stereo),
         monocular: distance(Method::Monocular),
         combined: combined.map(|combined| Combined {
-            distance_m: combined.value,
-            sigma_m: combined.sigma,
+            distance_m: combined.value.m(),
+            sigma_m: combined.sigma.m(),
         }),
         estimated_width_px: solution.estimated_width_px.map(Pixels::px),
         estimated_width_m: solution.estimated_width.map(Length::m),

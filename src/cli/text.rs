@@ -26,7 +26,7 @@ pub(super) fn answer(solution: &Solution, unit: LengthUnit) -> String {
         .filter(|together| together.agreement.verdict != Some(Verdict::Disagree));
     let combined = compatible.and_then(|together| together.combined);
     if let Some(combined) = combined {
-        let value = with_sigma(Length::from_m(combined.value), Length::from_m(combined.sigma), unit);
+        let value = with_sigma(combined.value, combined.sigma, unit);
         lines.push(format!("{value} (combined, the shared focal length accounted for)"));
         lines.extend(agreement(solution));
     }

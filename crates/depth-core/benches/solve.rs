@@ -37,7 +37,7 @@ fn solve_without_sigma(bencher: Bencher) {
 fn solve_with_sigma(bencher: Bencher) {
     let mut problem = problem();
     for field in Field::ALL {
-        problem.sigmas.set(field, problem.get(field).map(|value| 0.01 * value));
+        problem.set_sigma(field, problem.get(field).map_or(0.0, |value| 0.01 * value));
     }
     assert!(problem.solve().together.is_some(), "both methods have an uncertainty");
     bencher.bench(|| black_box(&problem).solve());
@@ -46,8 +46,14 @@ fn solve_with_sigma(bencher: Bencher) {
 const DRAWS: u32 = 10_000;
 
 fn model() -> Model {
-    let exact = Measured::exact(0.0);
-    Model::stereo(Measured::new(700.0, 5.0), Measured::new(0.1, 1e-3), Measured::new(50.0, 0.5), exact).unwrap()
+    let exact = Measured::from_base(0.0, 0.0);
+    Model::stereo(
+        Measured::from_base(700.0, 5.0),
+        Measured::from_base(0.1, 1e-3),
+        Measured::from_base(50.0, 0.5),
+        exact,
+    )
+    .unwrap()
 }
 
 /// The counter gives draws per second.

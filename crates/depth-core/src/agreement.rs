@@ -8,7 +8,7 @@ use crate::measured::{Measured, root_sum_of_squares};
 use crate::quantity::{Length, LengthUnit};
 use crate::uncertainty::Model;
 
-/// The two distances combined, in metres, weighted by what each does not share with the other.
+/// The two distances combined, weighted by what each does not share with the other.
 ///
 /// With r₁ and r₂ the relative σ of each without the focal length and r_f = σ_f/f:
 /// ln Z = (ln Z₁/r₁² + ln Z₂/r₂²)/(1/r₁² + 1/r₂²) and (σ/Z)² = 1/(1/r₁² + 1/r₂²) + r_f².
@@ -20,7 +20,7 @@ use crate::uncertainty::Model;
 /// Source: weighted least squares (Gauss–Markov) for two measurements of ln Z with a common error, with the weights of
 /// the independent parts, which keeps the result between the two where the optimal weights may not (R. W. Peelle's
 /// puzzle, 1987).
-pub fn combine(first: &Model, second: &Model) -> Option<Measured> {
+pub fn combine(first: &Model, second: &Model) -> Option<Measured<Length>> {
     let (z1, z2) = (first.depth().m(), second.depth().m());
     let (r1, r2) = (first.own_relative_sigma(), second.own_relative_sigma());
     let r = root_sum_of_squares(&[r1, r2]);
@@ -37,7 +37,7 @@ pub fn combine(first: &Model, second: &Model) -> Option<Measured> {
     };
     let value = value.clamp(z1.min(z2), z1.max(z2));
     let relative = root_sum_of_squares(&[r1 * (r2 / r), first.focal_length().relative()]);
-    Some(Measured::new(value, value * relative))
+    Some(Measured::from_base(value, value * relative))
 }
 
 /// How well two distances agree.
@@ -147,8 +147,11 @@ fn suspects(first: &Model, second: &Model, log_ratio: f64) -> Vec<Suspect> {
         .collect();
     blunders.sort_by(|(a, _), (b, _)| a.total_cmp(b));
 
-    let inputs = [first.length(), first.pixels(), second.length(), second.pixels()];
-    let exact = inputs.into_iter().filter(|(_, input)| input.sigma == 0.0);
+    let inputs = [first, second].into_iter().flat_map(|model| {
+        let ((length, l), (pixels, p)) = (model.length(), model.pixels());
+        [(length, l.sigma.m()), (pixels, p.sigma.px())]
+    });
+    let exact = inputs.filter(|&(_, sigma)| sigma == 0.0);
     let largest = [first, second]
         .into_iter()
         .flat_map(|model| model.relative_sigmas())

@@ -1,5 +1,7 @@
 //! [`Angle`]: kept in radians, read and shown in degrees.
 
+use crate::quantity::Quantity;
+
 /// An angle, kept in radians whatever unit it was given in.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Angle(f64);
@@ -23,5 +25,17 @@ impl Angle {
     /// This angle in degrees.
     pub const fn degrees(self) -> f64 {
         self.0.to_degrees()
+    }
+}
+
+impl Quantity for Angle {
+    const ZERO: Self = Self(0.0);
+
+    fn from_base(radians: f64) -> Self {
+        Self(radians)
+    }
+
+    fn to_base(self) -> f64 {
+        self.0
     }
 }

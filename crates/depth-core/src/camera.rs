@@ -209,12 +209,12 @@ impl Intrinsics {
 /// A camera above a flat, level floor, looking at a point of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GroundView {
-    /// Height of the camera above the floor, in metres.
-    pub height: Measured,
-    /// How far the optical axis points down from the horizontal, in radians.
-    pub pitch: Measured,
-    /// Row at which the point is seen, in pixels.
-    pub row: Measured,
+    /// Height of the camera above the floor.
+    pub height: Measured<Length>,
+    /// How far the optical axis points down from the horizontal.
+    pub pitch: Measured<Angle>,
+    /// Row at which the point is seen.
+    pub row: Measured<Pixels>,
     /// Focal length along the columns.
     pub fy: Pixels,
     /// Row of the principal point.
@@ -235,17 +235,17 @@ pub enum NoGround {
 }
 
 impl GroundView {
-    /// Horizontal distance to the point in metres with its σ to first order: D = h/tan(θ + atan((v − cy)/fy)), with
+    /// Horizontal distance to the point with its σ to first order: D = h/tan(θ + atan((v − cy)/fy)), with
     /// dD/dh = D/h, dD/dθ = −(D² + h²)/h and dD/dv = dD/dθ·fy/(fy² + (v − cy)²).
     ///
     /// # Errors
     /// [`NoGround`].
     ///
     /// Source: intersection of the pixel's ray with a plane (Hartley and Zisserman, 8.1); JCGM 100:2008 (GUM), 5.1.2, for σ.
-    pub fn distance(&self) -> Result<Measured, NoGround> {
+    pub fn distance(&self) -> Result<Measured<Length>, NoGround> {
         let below_axis = self.below_axis().ok_or(NoGround::Unusable)?;
-        let height = self.height.value;
-        let down = self.pitch.value + below_axis.atan();
+        let height = self.height.value.m();
+        let down = self.pitch.value.radians() + below_axis.atan();
         if down <= 0.0 {
             return Err(NoGround::AboveHorizon);
         }
@@ -256,12 +256,12 @@ impl GroundView {
         // (D² + h²)/h = h/sin², without squaring a length.
         let per_radian = height / down.sin() / down.sin();
         let sigma = root_sum_of_squares(&[
-            self.height.sigma / down.tan(),
-            per_radian * self.pitch.sigma,
-            per_radian * (self.row.sigma / self.fy.px() / (1.0 + below_axis * below_axis)),
+            self.height.sigma.m() / down.tan(),
+            per_radian * self.pitch.sigma.radians(),
+            per_radian * (self.row.sigma.px() / self.fy.px() / (1.0 + below_axis * below_axis)),
         ]);
         if distance.is_finite() && sigma.is_finite() {
-            Ok(Measured::new(distance, sigma))
+            Ok(Measured::from_base(distance, sigma))
         } else {
             Err(NoGround::TooExtreme)
         }
@@ -273,15 +273,15 @@ impl GroundView {
     /// Source: the row of [`distance`](Self::distance) whose ray is horizontal.
     pub fn horizon_row(&self) -> Option<Pixels> {
         self.below_axis()?;
-        let row = self.cy.px() - self.fy.px() * self.pitch.value.tan();
-        (self.pitch.value.abs() < FRAC_PI_2 && row.is_finite()).then_some(Pixels::new(row))
+        let row = self.cy.px() - self.fy.px() * self.pitch.value.radians().tan();
+        (self.pitch.value.radians().abs() < FRAC_PI_2 && row.is_finite()).then_some(Pixels::new(row))
     }
 
     /// (v − cy)/fy, where every number can be used.
     fn below_axis(&self) -> Option<f64> {
         let usable =
-            self.height.is_positive() && self.pitch.is_possible() && self.row.is_possible() && Measured::exact(self.fy.px()).is_positive();
-        let below_axis = (self.row.value - self.cy.px()) / self.fy.px();
+            self.height.is_positive() && self.pitch.is_possible() && self.row.is_possible() && Measured::exact(self.fy).is_positive();
+        let below_axis = (self.row.value.px() - self.cy.px()) / self.fy.px();
         (usable && below_axis.is_finite()).then_some(below_axis)
     }
 }

@@ -113,8 +113,8 @@ fn fixed_point(stored: f64, (lowest, highest): (f64, f64), invalid: f64, scale: 
 ///
 /// Source: the definition in ROS stereo_msgs/DisparityImage and Middlebury 2014, before any correction for the principal
 /// points: that is [`doffs`].
-pub fn from_columns(x_left: Measured, x_right: Measured) -> Measured {
-    x_left.plus(Measured::new(-x_right.value, x_right.sigma))
+pub fn from_columns(x_left: Measured<Pixels>, x_right: Measured<Pixels>) -> Measured<Pixels> {
+    x_left.minus(x_right)
 }
 
 /// δ = cx_right − cx_left in pixels: what to add to a disparity where the principal points differ.
@@ -122,6 +122,6 @@ pub fn from_columns(x_left: Measured, x_right: Measured) -> Measured {
 /// A disparity from ROS stereo_msgs/DisparityImage contains it already.
 ///
 /// Source: Middlebury 2014 calibration format, `doffs`.
-pub fn doffs(cx_left: Measured, cx_right: Measured) -> Measured {
+pub fn doffs(cx_left: Measured<Pixels>, cx_right: Measured<Pixels>) -> Measured<Pixels> {
     from_columns(cx_right, cx_left)
 }

@@ -12,7 +12,7 @@
 //! distance do not exist, and none is given.
 
 use crate::measured::Measured;
-use crate::quantity::{Length, times_over};
+use crate::quantity::{Length, Quantity, times_over};
 use crate::uncertainty::Model;
 
 /// A random experiment that can be carried out in pieces: the same model and seed give the same draws however they are cut
@@ -206,8 +206,9 @@ impl Normal {
         Self { bits: SplitMix64(seed) }
     }
 
-    /// A number with the mean and standard deviation of `quantity`.
-    fn draw(&mut self, quantity: Measured) -> f64 {
+    /// A number with the mean and standard deviation of `quantity`, in its base unit.
+    fn draw<Q: Quantity>(&mut self, quantity: Measured<Q>) -> f64 {
+        let quantity = quantity.to_base();
         (quantity.value + quantity.sigma * self.standard()).clamp(-f64::MAX, f64::MAX)
     }
 

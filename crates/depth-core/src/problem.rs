@@ -3,7 +3,7 @@
 
 pub use crate::field::Field;
 use crate::measured::Measured;
-use crate::quantity::{Length, LengthUnit, Pixels};
+use crate::quantity::{Length, LengthUnit, Pixels, Quantity};
 use crate::uncertainty::{Interval, Model, Share, Unusable};
 use crate::{agreement, monocular, stereo};
 
@@ -67,44 +67,36 @@ pub enum Refusal {
     TooExtreme,
 }
 
-/// What is known: the inputs, checked one by one where they were read.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// What is known: the inputs with their σ (0 where none was given).
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Problem {
     /// fx: focal length in pixels of the image that d and w_img are measured in.
-    pub focal_length: Option<Pixels>,
+    pub focal_length: Option<Measured<Pixels>>,
     /// b: distance between the optical centres of the two cameras.
-    pub baseline: Option<Length>,
+    pub baseline: Option<Measured<Length>>,
     /// d: horizontal shift of the object between the rectified images.
-    pub disparity: Option<Pixels>,
+    pub disparity: Option<Measured<Pixels>>,
     /// δ = cx_right − cx_left; `None` is 0.
-    pub doffs: Option<Pixels>,
+    pub doffs: Option<Measured<Pixels>>,
+    /// σ of the offset of 0 where [`doffs`](Self::doffs) is `None`: how well the principal points are known to coincide.
+    pub coincidence_sigma: Pixels,
     /// w_img: width of the object in the image.
-    pub image_width: Option<Pixels>,
+    pub image_width: Option<Measured<Pixels>>,
     /// w_real: width of the object itself.
-    pub real_width: Option<Length>,
-    /// How well each is known.
-    pub sigmas: Sigmas,
+    pub real_width: Option<Measured<Length>>,
 }
 
-/// The standard uncertainty (1 σ) of each input in its base unit (px or metres), where one was given.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Sigmas([Option<f64>; Field::ALL.len()]);
-
-impl Sigmas {
-    /// σ of `field` in px or metres.
-    pub fn get(&self, field: Field) -> Option<f64> {
-        Field::ALL
-            .iter()
-            .zip(&self.0)
-            .find_map(|(&candidate, &sigma)| if candidate == field { sigma } else { None })
-    }
-
-    /// Sets σ of `field` in px or metres.
-    pub fn set(&mut self, field: Field, sigma: Option<f64>) {
-        for (candidate, slot) in Field::ALL.iter().zip(&mut self.0) {
-            if *candidate == field {
-                *slot = sigma;
-            }
+impl Default for Problem {
+    /// Nothing is known.
+    fn default() -> Self {
+        Self {
+            focal_length: None,
+            baseline: None,
+            disparity: None,
+            doffs: None,
+            coincidence_sigma: Pixels::ZERO,
+            image_width: None,
+            real_width: None,
         }
     }
 }
@@ -112,36 +104,82 @@ impl Sigmas {
 impl Problem {
     /// The value of `field` in its base unit (px or metres).
     pub fn get(&self, field: Field) -> Option<f64> {
-        match field {
-            Field::FocalLength => self.focal_length.map(Pixels::px),
-            Field::Baseline => self.baseline.map(Length::m),
-            Field::Disparity => self.disparity.map(Pixels::px),
-            Field::Doffs => self.doffs.map(Pixels::px),
-            Field::ImageWidth => self.image_width.map(Pixels::px),
-            Field::RealWidth => self.real_width.map(Length::m),
-        }
+        self.measured(field).map(|input| input.value)
     }
 
-    /// Sets `field` to `value` in its base unit (px or metres).
+    /// Sets `field` to `value` in its base unit (px or metres). Its σ stays; without a value there is none, but that of doffs.
     pub fn set(&mut self, field: Field, value: Option<f64>) {
+        let sigma = self.sigma(field);
         match field {
-            Field::FocalLength => self.focal_length = value.map(Pixels::new),
-            Field::Baseline => self.baseline = value.map(Length::from_m),
-            Field::Disparity => self.disparity = value.map(Pixels::new),
-            Field::Doffs => self.doffs = value.map(Pixels::new),
-            Field::ImageWidth => self.image_width = value.map(Pixels::new),
-            Field::RealWidth => self.real_width = value.map(Length::from_m),
+            Field::FocalLength => self.focal_length = value.map(|value| Measured::from_base(value, sigma)),
+            Field::Baseline => self.baseline = value.map(|value| Measured::from_base(value, sigma)),
+            Field::Disparity => self.disparity = value.map(|value| Measured::from_base(value, sigma)),
+            Field::Doffs => {
+                self.doffs = value.map(|value| Measured::from_base(value, sigma));
+                self.coincidence_sigma = if value.is_none() { Pixels::new(sigma) } else { Pixels::ZERO };
+            }
+            Field::ImageWidth => self.image_width = value.map(|value| Measured::from_base(value, sigma)),
+            Field::RealWidth => self.real_width = value.map(|value| Measured::from_base(value, sigma)),
         }
     }
 
-    /// The value of `field` with its σ, 0 where none was given.
-    pub fn measured(&self, field: Field) -> Option<Measured> {
-        Some(Measured::new(self.get(field)?, self.sigmas.get(field).unwrap_or(0.0)))
+    /// σ of `field` in its base unit (px or metres): 0 where none was given. That of doffs without a value belongs to an
+    /// offset of 0.
+    pub fn sigma(&self, field: Field) -> f64 {
+        match (field, self.measured(field)) {
+            (_, Some(input)) => input.sigma,
+            (Field::Doffs, None) => self.coincidence_sigma.px(),
+            (_, None) => 0.0,
+        }
+    }
+
+    /// Sets σ of `field` in its base unit (px or metres), 0 for none. Without a value only doffs can have one.
+    pub fn set_sigma(&mut self, field: Field, sigma: f64) {
+        fn give<Q: Quantity>(input: &mut Option<Measured<Q>>, sigma: f64) {
+            if let Some(input) = input {
+                input.sigma = Q::from_base(sigma);
+            }
+        }
+        match field {
+            Field::FocalLength => give(&mut self.focal_length, sigma),
+            Field::Baseline => give(&mut self.baseline, sigma),
+            Field::Disparity => give(&mut self.disparity, sigma),
+            Field::Doffs if self.doffs.is_none() => self.coincidence_sigma = Pixels::new(sigma),
+            Field::Doffs => give(&mut self.doffs, sigma),
+            Field::ImageWidth => give(&mut self.image_width, sigma),
+            Field::RealWidth => give(&mut self.real_width, sigma),
+        }
+    }
+
+    /// The same inputs, taken to be exact.
+    #[must_use]
+    pub fn without_sigmas(mut self) -> Self {
+        for field in Field::ALL {
+            self.set_sigma(field, 0.0);
+        }
+        self
+    }
+
+    /// The value of `field` with its σ, in its base unit (px or metres).
+    pub fn measured(&self, field: Field) -> Option<Measured<f64>> {
+        match field {
+            Field::FocalLength => self.focal_length.map(Measured::to_base),
+            Field::Baseline => self.baseline.map(Measured::to_base),
+            Field::Disparity => self.disparity.map(Measured::to_base),
+            Field::Doffs => self.doffs.map(Measured::to_base),
+            Field::ImageWidth => self.image_width.map(Measured::to_base),
+            Field::RealWidth => self.real_width.map(Measured::to_base),
+        }
+    }
+
+    /// δ with its σ, as it enters the formula: 0 where none was given.
+    pub fn offset(&self) -> Measured<Pixels> {
+        self.doffs.unwrap_or(Measured::new(Pixels::ZERO, self.coincidence_sigma))
     }
 
     /// d + δ: the disparity as it enters the formula. Its sign decides whether the object is in front of the cameras.
     pub fn effective_disparity(&self) -> Option<Pixels> {
-        Some(Pixels::new(self.disparity?.px() + self.doffs.map_or(0.0, Pixels::px)))
+        Some(Pixels::new(self.disparity?.value.px() + self.offset().value.px()))
     }
 
     /// Checks that the value of `field`, if it has one, can be used: positive, finite and normal. A disparity is judged
@@ -190,11 +228,11 @@ impl Problem {
         // With the monocular distance the two widths would only repeat the input.
         let reference = stereo.distance().or(monocular.distance());
         let estimated_width_px = match (self.focal_length, self.real_width, reference) {
-            (Some(f), Some(w), Some(z)) => finite_px(monocular::width_in_image(f, w, z)),
+            (Some(f), Some(w), Some(z)) => finite_px(monocular::width_in_image(f.value, w.value, z)),
             _ => None,
         };
         let estimated_width = match (self.focal_length, self.image_width, reference) {
-            (Some(f), Some(w), Some(z)) => finite_length(monocular::real_width(f, w, z)),
+            (Some(f), Some(w), Some(z)) => finite_length(monocular::real_width(f.value, w.value, z)),
             _ => None,
         };
         let known = |method, outcome: Outcome| outcome.distance().and_then(|_| self.known(method));
@@ -227,22 +265,19 @@ impl Problem {
         if disparity <= 0.0 {
             return None;
         }
-        finite_length(stereo::depth(self.focal_length?, self.baseline?, Pixels::new(disparity)))
+        finite_length(stereo::depth(
+            self.focal_length?.value,
+            self.baseline?.value,
+            Pixels::new(disparity),
+        ))
     }
 
     /// The inputs of `method` with their σ, as one model.
     fn model(&self, method: Method) -> Option<Result<Model, Unusable>> {
-        let measured = |field| self.measured(field);
-        let focal_length = measured(Field::FocalLength)?;
+        let focal_length = self.focal_length?;
         Some(match method {
-            Method::Stereo => Model::stereo(
-                focal_length,
-                measured(Field::Baseline)?,
-                measured(Field::Disparity)?,
-                // A σ without a value belongs to an offset of 0.
-                Measured::new(self.doffs.map_or(0.0, Pixels::px), self.sigmas.get(Field::Doffs).unwrap_or(0.0)),
-            ),
-            Method::Monocular => Model::monocular(focal_length, measured(Field::RealWidth)?, measured(Field::ImageWidth)?),
+            Method::Stereo => Model::stereo(focal_length, self.baseline?, self.disparity?, self.offset()),
+            Method::Monocular => Model::monocular(focal_length, self.real_width?, self.image_width?),
         })
     }
 
@@ -274,11 +309,11 @@ impl Problem {
         }
         let distance = match method {
             Method::Stereo => match (self.focal_length, self.baseline, self.effective_disparity()) {
-                (Some(f), Some(b), Some(d)) => stereo::depth(f, b, d),
+                (Some(f), Some(b), Some(d)) => stereo::depth(f.value, b.value, d),
                 _ => return Outcome::Incomplete,
             },
             Method::Monocular => match (self.focal_length, self.real_width, self.image_width) {
-                (Some(f), Some(w), Some(p)) => monocular::depth(f, w, p),
+                (Some(f), Some(w), Some(p)) => monocular::depth(f.value, w.value, p.value),
                 _ => return Outcome::Incomplete,
             },
         };
@@ -352,7 +387,7 @@ pub struct Known {
 impl Known {
     fn new(model: Model) -> Self {
         Self {
-            sigma: Length::from_m(model.depth_with_sigma().sigma),
+            sigma: model.depth_with_sigma().sigma,
             interval: model.interval(),
             budget: model.variance_budget(),
             bias: model.bias(),
@@ -369,8 +404,8 @@ impl Known {
 /// What two distances with σ say together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Together {
-    /// Both combined, m; `None` where only the shared focal length has a σ, so that nothing weighs them.
-    pub combined: Option<Measured>,
+    /// Both combined; `None` where only the shared focal length has a σ, so that nothing weighs them.
+    pub combined: Option<Measured<Length>>,
     /// Whether they agree, and what to look at if not.
     pub agreement: agreement::Agreement,
 }

@@ -1,5 +1,53 @@
 //! Quantities that carry their unit in their type: [`Length`] in metres, [`Pixels`] in image pixels.
 
+/// A quantity that is kept as a number of its base unit: metres, pixels or radians; for a plain number, itself.
+pub trait Quantity: Copy {
+    /// Nothing of it.
+    const ZERO: Self;
+
+    /// `value` base units.
+    fn from_base(value: f64) -> Self;
+
+    /// The number of base units.
+    fn to_base(self) -> f64;
+}
+
+impl Quantity for f64 {
+    const ZERO: Self = 0.0;
+
+    fn from_base(value: f64) -> Self {
+        value
+    }
+
+    fn to_base(self) -> f64 {
+        self
+    }
+}
+
+impl Quantity for Length {
+    const ZERO: Self = Self(0.0);
+
+    fn from_base(metres: f64) -> Self {
+        Self(metres)
+    }
+
+    fn to_base(self) -> f64 {
+        self.0
+    }
+}
+
+impl Quantity for Pixels {
+    const ZERO: Self = Self(0.0);
+
+    fn from_base(pixels: f64) -> Self {
+        Self(pixels)
+    }
+
+    fn to_base(self) -> f64 {
+        self.0
+    }
+}
+
 /// A length, kept in metres whatever unit it was given in.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Length(f64);

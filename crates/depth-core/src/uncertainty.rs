@@ -7,7 +7,7 @@
 
 use crate::field::Field;
 use crate::measured::{Measured, root_sum_of_squares};
-use crate::quantity::{Length, times_over};
+use crate::quantity::{Length, Pixels, times_over};
 
 /// Why no [`Model`] can be made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,12 +32,12 @@ pub const FIRST_ORDER_LIMIT: f64 = 0.10;
 /// represented. Made once; everything that follows from it can then be given without a further check.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Model {
-    focal_length: Measured,
-    length: Measured,
+    focal_length: Measured<Pixels>,
+    length: Measured<Length>,
     length_source: Field,
-    pixels: Measured,
+    pixels: Measured<Pixels>,
     pixels_source: Field,
-    doffs: Measured,
+    doffs: Measured<Pixels>,
 }
 
 /// The part of the variance that one input is responsible for.
@@ -60,11 +60,16 @@ pub struct Interval {
 
 impl Model {
     /// Stereo, Z = f·b/(d + δ): `focal_length`, `disparity` and `doffs` (0 where the principal points coincide) in pixels
-    /// of the same image, `baseline` in metres.
+    /// of the same image.
     ///
     /// # Errors
     /// [`Unusable`] names the first input that cannot be used.
-    pub fn stereo(focal_length: Measured, baseline: Measured, disparity: Measured, doffs: Measured) -> Result<Self, Unusable> {
+    pub fn stereo(
+        focal_length: Measured<Pixels>,
+        baseline: Measured<Length>,
+        disparity: Measured<Pixels>,
+        doffs: Measured<Pixels>,
+    ) -> Result<Self, Unusable> {
         Self {
             focal_length,
             length: baseline,
@@ -76,34 +81,39 @@ impl Model {
         .checked()
     }
 
-    /// Monocular, Z = w_real·f/w_img: `focal_length` and `image_width` in pixels of the same image, `real_width` in metres.
+    /// Monocular, Z = w_real·f/w_img: `focal_length` and `image_width` in pixels of the same image.
     ///
     /// # Errors
     /// [`Unusable`] names the first input that cannot be used.
-    pub fn monocular(focal_length: Measured, real_width: Measured, image_width: Measured) -> Result<Self, Unusable> {
+    pub fn monocular(
+        focal_length: Measured<Pixels>,
+        real_width: Measured<Length>,
+        image_width: Measured<Pixels>,
+    ) -> Result<Self, Unusable> {
         Self {
             focal_length,
             length: real_width,
             length_source: Field::RealWidth,
             pixels: image_width,
             pixels_source: Field::ImageWidth,
-            doffs: Measured::exact(0.0),
+            doffs: Measured::exact(Pixels::new(0.0)),
         }
         .checked()
     }
 
     fn checked(self) -> Result<Self, Unusable> {
         let divisor = self.divisor();
-        if !self.focal_length.value.is_normal() || self.focal_length.value < 0.0 {
+        let is_positive = |value: f64| value.is_normal() && value > 0.0;
+        if !is_positive(self.focal_length.value.px()) {
             return Err(Unusable::Value(Field::FocalLength));
         }
-        if !self.length.value.is_normal() || self.length.value < 0.0 {
+        if !is_positive(self.length.value.m()) {
             return Err(Unusable::Value(self.length_source));
         }
-        if !self.doffs.value.is_finite() {
+        if !self.doffs.value.px().is_finite() {
             return Err(Unusable::Value(Field::Doffs));
         }
-        if !self.pixels.value.is_finite() || !divisor.value.is_normal() || divisor.value < 0.0 {
+        if !self.pixels.value.px().is_finite() || !is_positive(divisor.value.px()) {
             return Err(Unusable::Value(self.pixels_source));
         }
         for (source, relative) in self.relative_sigmas() {
@@ -112,7 +122,7 @@ impl Model {
             }
         }
         let depth = self.depth().m();
-        if !depth.is_normal() || !(depth * self.relative_sigma()).is_finite() || !divisor.sigma.is_finite() {
+        if !depth.is_normal() || !(depth * self.relative_sigma()).is_finite() || !divisor.sigma.px().is_finite() {
             return Err(Unusable::Distance);
         }
         Ok(self)
@@ -120,13 +130,17 @@ impl Model {
 
     /// The distance.
     pub fn depth(&self) -> Length {
-        Length::from_m(times_over(self.focal_length.value, self.length.value, self.divisor().value))
+        Length::from_m(times_over(
+            self.focal_length.value.px(),
+            self.length.value.m(),
+            self.divisor().value.px(),
+        ))
     }
 
-    /// The distance in metres with its first-order σ.
-    pub fn depth_with_sigma(&self) -> Measured {
+    /// The distance with its first-order σ.
+    pub fn depth_with_sigma(&self) -> Measured<Length> {
         let depth = self.depth().m();
-        Measured::new(depth, depth * self.relative_sigma())
+        Measured::from_base(depth, depth * self.relative_sigma())
     }
 
     /// σ_Z/Z to first order.
@@ -227,23 +241,23 @@ impl Model {
         Some(Length::from_m(self.relative_bias()? * self.depth().m()))
     }
 
-    /// f in px.
-    pub const fn focal_length(&self) -> Measured {
+    /// f.
+    pub const fn focal_length(&self) -> Measured<Pixels> {
         self.focal_length
     }
 
-    /// The baseline or the real width, in metres, and which of the two it is.
-    pub const fn length(&self) -> (Field, Measured) {
+    /// The baseline or the real width, and which of the two it is.
+    pub const fn length(&self) -> (Field, Measured<Length>) {
         (self.length_source, self.length)
     }
 
-    /// The disparity or the width in the image, in px without doffs, and which of the two it is.
-    pub const fn pixels(&self) -> (Field, Measured) {
+    /// The disparity (without doffs) or the width in the image, and which of the two it is.
+    pub const fn pixels(&self) -> (Field, Measured<Pixels>) {
         (self.pixels_source, self.pixels)
     }
 
-    /// What the product of focal length and length is divided by, in px: d + δ, or w_img.
-    pub fn divisor(&self) -> Measured {
+    /// What the product of focal length and length is divided by: d + δ, or w_img.
+    pub fn divisor(&self) -> Measured<Pixels> {
         self.pixels.plus(self.doffs)
     }
 

@@ -164,9 +164,9 @@ fn a_tilted_target_reads_too_long() {
 
 fn floor_view() -> GroundView {
     GroundView {
-        height: Measured::new(1.5, 0.02),
-        pitch: Measured::new(10.0_f64.to_radians(), 0.5_f64.to_radians()),
-        row: Measured::new(400.0, 1.5),
+        height: Measured::from_base(1.5, 0.02),
+        pitch: Measured::from_base(10.0_f64.to_radians(), 0.5_f64.to_radians()),
+        row: Measured::from_base(400.0, 1.5),
         fy: px(705.0),
         cy: px(350.0),
     }
@@ -176,22 +176,22 @@ fn floor_view() -> GroundView {
 fn the_ray_of_a_row_meets_the_floor_where_geometry_says() {
     // Looking 45° down along the axis: as far as high.
     let view = GroundView {
-        pitch: Measured::exact(45.0_f64.to_radians()),
-        row: Measured::exact(350.0),
+        pitch: Measured::from_base(45.0_f64.to_radians(), 0.0),
+        row: Measured::from_base(350.0, 0.0),
         ..floor_view()
     };
-    assert_near(view.distance().unwrap().value, 1.5, 1e-12);
+    assert_near(view.distance().unwrap().value.m(), 1.5, 1e-12);
     // In general: turn the ray (0, t, 1) down by the pitch and cut it at the height.
     for (pitch, row) in [(0.0_f64, 360.0), (10.0, 400.0), (10.0, 300.0), (-5.0, 700.0), (30.0, 0.0)] {
         let (sin, cos) = pitch.to_radians().sin_cos();
         let t = (row - 350.0) / 705.0;
         let expected = 1.5 * (cos - t * sin) / (t * cos + sin);
         let view = GroundView {
-            pitch: Measured::exact(pitch.to_radians()),
-            row: Measured::exact(row),
+            pitch: Measured::from_base(pitch.to_radians(), 0.0),
+            row: Measured::from_base(row, 0.0),
             ..floor_view()
         };
-        assert_near(view.distance().unwrap().value / expected, 1.0, 1e-12);
+        assert_near(view.distance().unwrap().value.m() / expected, 1.0, 1e-12);
     }
 }
 
@@ -200,30 +200,30 @@ fn the_floors_sigma_is_that_of_the_numerical_derivatives() {
     let view = floor_view();
     let at = |height: f64, pitch: f64, row: f64| {
         let moved = GroundView {
-            height: Measured::exact(view.height.value + height),
-            pitch: Measured::exact(view.pitch.value + pitch),
-            row: Measured::exact(view.row.value + row),
+            height: Measured::from_base(view.height.value.m() + height, 0.0),
+            pitch: Measured::from_base(view.pitch.value.radians() + pitch, 0.0),
+            row: Measured::from_base(view.row.value.px() + row, 0.0),
             ..view
         };
-        moved.distance().unwrap().value
+        moved.distance().unwrap().value.m()
     };
     let step = 1e-5;
     let slopes = [
-        (at(step, 0.0, 0.0) - at(-step, 0.0, 0.0)) * view.height.sigma,
-        (at(0.0, step, 0.0) - at(0.0, -step, 0.0)) * view.pitch.sigma,
-        (at(0.0, 0.0, step) - at(0.0, 0.0, -step)) * view.row.sigma,
+        (at(step, 0.0, 0.0) - at(-step, 0.0, 0.0)) * view.height.sigma.m(),
+        (at(0.0, step, 0.0) - at(0.0, -step, 0.0)) * view.pitch.sigma.radians(),
+        (at(0.0, 0.0, step) - at(0.0, 0.0, -step)) * view.row.sigma.px(),
     ];
     let sigma = slopes.iter().map(|slope| (slope / (2.0 * step)).powi(2)).sum::<f64>().sqrt();
-    assert_near(view.distance().unwrap().sigma / sigma, 1.0, 1e-7);
+    assert_near(view.distance().unwrap().sigma.m() / sigma, 1.0, 1e-7);
     // The published slope for the pitch alone.
     let only_pitch = GroundView {
-        height: Measured::exact(1.5),
-        row: Measured::exact(400.0),
+        height: Measured::from_base(1.5, 0.0),
+        row: Measured::from_base(400.0, 0.0),
         ..view
     };
     let found = only_pitch.distance().unwrap();
-    let slope = (found.value * found.value + 1.5 * 1.5) / 1.5;
-    assert_near(found.sigma / (slope * view.pitch.sigma), 1.0, 1e-12);
+    let slope = (found.value.m() * found.value.m() + 1.5 * 1.5) / 1.5;
+    assert_near(found.sigma.m() / (slope * view.pitch.sigma.radians()), 1.0, 1e-12);
 }
 
 #[test]
@@ -232,23 +232,23 @@ fn above_the_horizon_there_is_no_floor() {
     let horizon = view.horizon_row().unwrap().px();
     assert_near(horizon, 350.0 - 705.0 * 10.0_f64.to_radians().tan(), 1e-10);
     let at = |row| GroundView {
-        row: Measured::exact(row),
+        row: Measured::from_base(row, 0.0),
         ..view
     };
     assert_eq!(at(horizon - 0.01).distance(), Err(NoGround::AboveHorizon));
-    assert!(at(horizon + 0.01).distance().unwrap().value > 1e4);
+    assert!(at(horizon + 0.01).distance().unwrap().value.m() > 1e4);
     let level = GroundView {
-        pitch: Measured::exact(0.0),
+        pitch: Measured::from_base(0.0, 0.0),
         ..at(350.0)
     };
     assert_eq!(level.distance(), Err(NoGround::AboveHorizon), "the horizon itself");
     let down = GroundView {
-        pitch: Measured::exact(80.0_f64.to_radians()),
+        pitch: Measured::from_base(80.0_f64.to_radians(), 0.0),
         ..at(600.0)
     };
     assert_eq!(down.distance(), Err(NoGround::BelowCamera));
     let flat = GroundView {
-        height: Measured::exact(0.0),
+        height: Measured::from_base(0.0, 0.0),
         ..view
     };
     assert_eq!(flat.distance(), Err(NoGround::Unusable));
@@ -333,16 +333,16 @@ proptest! {
             prop_assert!(f.px().is_normal() && f.px() > 0.0);
         }
         let view = GroundView {
-            height: Measured::new(n[0], n[1]),
-            pitch: Measured::new(n[2], n[3]),
-            row: Measured::new(n[4], n[5]),
+            height: Measured::from_base(n[0], n[1]),
+            pitch: Measured::from_base(n[2], n[3]),
+            row: Measured::from_base(n[4], n[5]),
             fy: px(z),
             cy: px(u),
         };
         prop_assert!(view.horizon_row().is_none_or(|row| row.px().is_finite()));
         if let Ok(distance) = view.distance() {
-            prop_assert!(distance.value > 0.0 && distance.value.is_finite());
-            prop_assert!(distance.sigma.is_finite() && distance.sigma >= 0.0);
+            prop_assert!(distance.value.m() > 0.0 && distance.value.m().is_finite());
+            prop_assert!(distance.sigma.m().is_finite() && distance.sigma.m() >= 0.0);
         }
     }
 }

@@ -215,7 +215,7 @@ fn results(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
     }
     if let Some(together) = &solution.together {
         if let Some(combined) = together.combined {
-            let value = with_sigma(Length::from_m(combined.value), Length::from_m(combined.sigma), unit).text(unit);
+            let value = with_sigma(combined.value, combined.sigma, unit).text(unit);
             lines.push(format!("Combined distance, the shared focal length accounted for: {value}"));
         }
         lines.push(format!("  {}", agreement_sentence(&together.agreement)));

@@ -45,7 +45,7 @@ fn range(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, 
         let numbers = [(CX, "640"), (CY, "360"), (U, "900"), (V, "500")].map(|(name, example)| ask(ui, texts, name, example, "px", height));
         let depth = solution.stereo.distance().or(solution.monocular.distance());
         let answer = match (solution.problem.focal_length, depth, numbers) {
-            (Some(fx), Some(depth), [Some(cx), Some(cy), Some(u), Some(v)]) => {
+            (Some(Measured { value: fx, .. }), Some(depth), [Some(cx), Some(cy), Some(u), Some(v)]) => {
                 let (cx, cy) = (Pixels::new(cx), Pixels::new(cy));
                 let camera = Intrinsics {
                     fx,
@@ -118,23 +118,23 @@ fn ground(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts,
         let pitch = ask_measured(ui, texts, PITCH, "10", DEGREES, height);
         let point = ask_measured(ui, texts, ROW, "500", "px", height);
         let cy = ask(ui, texts, CY, "360", "px", height);
-        if let (Some(fx), Some(camera_height), Some(pitch), Some(row), Some(cy)) =
+        if let (Some(Measured { value: fx, .. }), Some(camera_height), Some(pitch), Some(row), Some(cy)) =
             (solution.problem.focal_length, camera_height, pitch, point, cy)
         {
             let radians = |degrees: f64| Angle::from_degrees(degrees).radians();
             let view = GroundView {
-                height: camera_height,
-                pitch: Measured::new(radians(pitch.value), radians(pitch.sigma)),
-                row,
+                height: Measured::from_base(camera_height.value, camera_height.sigma),
+                pitch: Measured::from_base(radians(pitch.value), radians(pitch.sigma)),
+                row: Measured::from_base(row.value, row.sigma),
                 fy: fx,
                 cy: Pixels::new(cy),
             };
             match view.distance() {
                 Ok(distance) => {
-                    let words = if distance.sigma > 0.0 {
-                        report::with_sigma(Length::from_m(distance.value), Length::from_m(distance.sigma), unit).text(unit)
+                    let words = if distance.sigma.m() > 0.0 {
+                        report::with_sigma(distance.value, distance.sigma, unit).text(unit)
                     } else {
-                        report::length(Some(Length::from_m(distance.value)), unit)
+                        report::length(Some(distance.value), unit)
                     };
                     super::table::pairs(ui, "Ground plane", &[("Distance along the floor", words)]);
                 }
@@ -182,7 +182,7 @@ fn ask_measured(
     example: &'static str,
     unit: &'static str,
     height: f32,
-) -> Option<Measured> {
+) -> Option<Measured<f64>> {
     let sigma_name = format!("σ of {name}");
     let mut sigma = texts.get(&sigma_name).cloned().unwrap_or_default();
     let typed = texts.entry(name.to_owned()).or_default();

@@ -6,7 +6,7 @@ use crate::app::widgets::quantity_field::length_unit_choice;
 use crate::app::widgets::{cards, text};
 use crate::core::agreement::Verdict;
 use crate::core::problem::{Method, Solution, Together};
-use crate::core::quantity::{Length, LengthUnit};
+use crate::core::quantity::LengthUnit;
 use crate::formats::inputs::{Assessment, Unknown};
 use crate::formats::report;
 use egui::accesskit::Role;
@@ -111,7 +111,7 @@ fn combined(ui: &mut Ui, together: &Together, unit: LengthUnit) {
     text::badge(ui, words, front, back);
     match together.combined {
         Some(combined) => {
-            let words = report::with_sigma(Length::from_m(combined.value), Length::from_m(combined.sigma), unit);
+            let words = report::with_sigma(combined.value, combined.sigma, unit);
             number(
                 ui,
                 &words.value,
