@@ -2,7 +2,7 @@
 
 use super::digits::{in_sentence, plain, rounded, significant};
 use crate::core::agreement::Verdict;
-use crate::core::problem::{Field, Known, Method, Solution};
+use crate::core::problem::{Field, Method, Solution, Uncertainty};
 use crate::core::quantity::{Length, LengthUnit};
 use crate::formats::report;
 
@@ -21,7 +21,7 @@ pub(super) fn answer(solution: &Solution, unit: LengthUnit) -> String {
     let mut lines = Vec::new();
     // Two distances that contradict each other have nothing in between that could be right.
     let compatible = solution
-        .together
+        .comparison
         .as_ref()
         .filter(|together| together.agreement.verdict != Some(Verdict::Disagree));
     let combined = compatible.and_then(|together| together.combined);
@@ -43,7 +43,7 @@ pub(super) fn answer(solution: &Solution, unit: LengthUnit) -> String {
 /// The distance of `method`, how it was computed and how sure it is; `None` without one.
 fn of_method(solution: &Solution, method: Method, unit: LengthUnit) -> Option<Vec<String>> {
     let distance = solution.outcome(method).distance()?;
-    let known = solution.known(method);
+    let known = solution.uncertainty(method);
     let value = known.map_or_else(|| length(distance, unit), |known| with_sigma(distance, known.sigma, unit));
     let mut lines = vec![format!("{value} ({})", method.name().to_lowercase())];
     if let Some(numbers) = formula_with_numbers(solution, method, unit) {
@@ -57,7 +57,7 @@ fn of_method(solution: &Solution, method: Method, unit: LengthUnit) -> Option<Ve
         }
     }
     if method == Method::Stereo
-        && let Some((near, far)) = solution.one_pixel_around()
+        && let Some((near, far)) = solution.one_pixel_range()
     {
         let number = |length: Length| significant(length.in_unit(unit), DIGITS);
         lines.push(format!(
@@ -70,7 +70,7 @@ fn of_method(solution: &Solution, method: Method, unit: LengthUnit) -> Option<Ve
 
 /// Whether both methods agree, and what to look at if not.
 fn agreement(solution: &Solution) -> Vec<String> {
-    let Some(together) = &solution.together else { return Vec::new() };
+    let Some(together) = &solution.comparison else { return Vec::new() };
     let suspects = together.agreement.suspects.iter().map(report::suspect_sentence);
     std::iter::once(report::agreement_sentence(&together.agreement))
         .chain(suspects)
@@ -138,7 +138,7 @@ fn with_sigma(length: Length, sigma: Length, unit: LengthUnit) -> String {
 }
 
 /// The 1 σ interval, to the decimals of σ.
-fn interval(known: &Known, unit: LengthUnit) -> String {
+fn interval(known: &Uncertainty, unit: LengthUnit) -> String {
     let decimals = report::decimals_beside(known.model.depth().in_unit(unit), known.sigma.in_unit(unit));
     let number = |length: Length| rounded(length.in_unit(unit), decimals);
     range(&number(known.interval.near), known.interval.far.map(number).as_deref(), unit)

@@ -29,7 +29,10 @@ fn problem() -> Problem {
 #[divan::bench]
 fn solve_without_sigma(bencher: Bencher) {
     let problem = problem();
-    assert!(problem.solve().monocular_known.is_none(), "nothing is known about the uncertainty");
+    assert!(
+        problem.solve().monocular_uncertainty.is_none(),
+        "nothing is known about the uncertainty"
+    );
     bencher.bench(|| black_box(&problem).solve());
 }
 
@@ -39,7 +42,7 @@ fn solve_with_sigma(bencher: Bencher) {
     for field in Field::ALL {
         problem.set_sigma(field, problem.get(field).map_or(0.0, |value| 0.01 * value));
     }
-    assert!(problem.solve().together.is_some(), "both methods have an uncertainty");
+    assert!(problem.solve().comparison.is_some(), "both methods have an uncertainty");
     bencher.bench(|| black_box(&problem).solve());
 }
 

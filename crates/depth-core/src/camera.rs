@@ -4,6 +4,8 @@
 //! the first pixel, as OpenCV has them.
 
 use crate::angle::Angle;
+use crate::field::Field;
+use crate::judge::{self, Term, Unsolvable};
 use crate::measured::{Measured, root_sum_of_squares};
 use crate::quantity::{Length, Pixels, times_over};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -221,36 +223,27 @@ pub struct GroundView {
     pub cy: Pixels,
 }
 
-/// Why a [`GroundView`] shows no point of the floor in front of the camera.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NoGround {
-    /// The height or the focal length is not positive, or a number is not finite or a σ negative.
-    Unusable,
-    /// The row is the horizon's or above it: the ray never meets the floor.
-    AboveHorizon,
-    /// The ray goes straight down or backwards.
-    BelowCamera,
-    /// The distance or its σ is too large to be represented.
-    TooExtreme,
-}
-
 impl GroundView {
     /// Horizontal distance to the point with its σ to first order: D = h/tan(θ + atan((v − cy)/fy)), with
     /// dD/dh = D/h, dD/dθ = −(D² + h²)/h and dD/dv = dD/dθ·fy/(fy² + (v − cy)²).
     ///
     /// # Errors
-    /// [`NoGround`].
+    /// [`Unsolvable`].
     ///
     /// Source: intersection of the pixel's ray with a plane (Hartley and Zisserman, 8.1); JCGM 100:2008 (GUM), 5.1.2, for σ.
-    pub fn distance(&self) -> Result<Measured<Length>, NoGround> {
-        let below_axis = self.below_axis().ok_or(NoGround::Unusable)?;
+    pub fn distance(&self) -> Result<Measured<Length>, Unsolvable> {
+        let below_axis = self.below_axis()?;
         let height = self.height.value.m();
         let down = self.pitch.value.radians() + below_axis.atan();
         if down <= 0.0 {
-            return Err(NoGround::AboveHorizon);
+            return Err(Unsolvable::AboveHorizon {
+                horizon: self.horizon_row(),
+            });
         }
         if down >= FRAC_PI_2 {
-            return Err(NoGround::BelowCamera);
+            return Err(Unsolvable::BelowCamera {
+                down: Angle::from_radians(down),
+            });
         }
         let distance = height / down.tan();
         // (D² + h²)/h = h/sin², without squaring a length.
@@ -263,7 +256,7 @@ impl GroundView {
         if distance.is_finite() && sigma.is_finite() {
             Ok(Measured::from_base(distance, sigma))
         } else {
-            Err(NoGround::TooExtreme)
+            Err(Unsolvable::too_extreme(Term::Distance))
         }
     }
 
@@ -272,17 +265,19 @@ impl GroundView {
     ///
     /// Source: the row of [`distance`](Self::distance) whose ray is horizontal.
     pub fn horizon_row(&self) -> Option<Pixels> {
-        self.below_axis()?;
+        self.below_axis().ok()?;
         let row = self.cy.px() - self.fy.px() * self.pitch.value.radians().tan();
         (self.pitch.value.radians().abs() < FRAC_PI_2 && row.is_finite()).then_some(Pixels::new(row))
     }
 
     /// (v − cy)/fy, where every number can be used.
-    fn below_axis(&self) -> Option<f64> {
-        let usable =
-            self.height.is_positive() && self.pitch.is_possible() && self.row.is_possible() && Measured::exact(self.fy).is_positive();
-        let below_axis = (self.row.value.px() - self.cy.px()) / self.fy.px();
-        (usable && below_axis.is_finite()).then_some(below_axis)
+    fn below_axis(&self) -> Result<f64, Unsolvable> {
+        judge::positive_measured(Term::CameraHeight, self.height)?;
+        judge::finite_measured(Term::Pitch, self.pitch)?;
+        let row = judge::finite_measured(Term::Row, self.row)?.value.px();
+        let fy = judge::value(Term::Input(Field::FocalLength), judge::positive(self.fy.px()))?;
+        let cy = judge::value(Term::PrincipalPoint, judge::finite(self.cy.px()))?;
+        judge::value(Term::Row, judge::finite((row - cy) / fy))
     }
 }
 
@@ -348,7 +343,7 @@ const fn sensor(name: &'static str, width_mm: f64, height_mm: f64, basis: Sensor
 }
 
 fn positive(value: f64) -> Option<Pixels> {
-    (value.is_normal() && value > 0.0).then_some(Pixels::new(value))
+    judge::positive(value).ok().map(Pixels::new)
 }
 
 /// a·b/c for any sign of a and b and a positive c; `None` where it cannot be represented.

@@ -1,5 +1,7 @@
 //! [`Field`]: the inputs, by the names that people know them by.
 
+use crate::quantity::{Length, LengthUnit};
+
 /// An input of a distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -90,4 +92,20 @@ impl Field {
         let (low, high) = self.usual_range();
         (low..=high).contains(&value)
     }
+}
+
+/// The first unit in which `typed` would be a usual value of `field`, if it is not one in the unit it was typed in.
+pub fn better_unit(field: Field, typed: f64, unit: LengthUnit) -> Option<LengthUnit> {
+    const LIKELIEST_FIRST: [LengthUnit; 5] = [
+        LengthUnit::Metre,
+        LengthUnit::Millimetre,
+        LengthUnit::Centimetre,
+        LengthUnit::Inch,
+        LengthUnit::Foot,
+    ];
+    let usual = |unit| field.is_usual(Length::new(typed, unit).m());
+    if !field.is_length() || usual(unit) {
+        return None;
+    }
+    LIKELIEST_FIRST.into_iter().find(|&candidate| usual(candidate))
 }

@@ -6,6 +6,7 @@ pub mod angle;
 pub mod camera;
 pub mod disparity;
 pub mod field;
+pub mod judge;
 pub mod measured;
 pub mod monocular;
 pub mod monte_carlo;

@@ -58,18 +58,6 @@ impl<Q: Quantity> Measured<Q> {
             sigma: other.sigma,
         })
     }
-
-    /// Whether the two numbers can be a value and its standard deviation at all.
-    pub(crate) fn is_possible(self) -> bool {
-        let Measured { value, sigma } = self.to_base();
-        value.is_finite() && sigma.is_finite() && sigma >= 0.0
-    }
-
-    /// Whether this can be a length or a focal length: [possible](Self::is_possible), positive and normal.
-    pub(crate) fn is_positive(self) -> bool {
-        let value = self.value.to_base();
-        self.is_possible() && value.is_normal() && value > 0.0
-    }
 }
 
 /// a·b/c of three independent positive quantities, its σ to first order; `None` where either is too large to be represented

@@ -1,11 +1,13 @@
 //! [`Problem`] (what is known) to [`Solution`] (everything that follows from it). Every screen, the command line, links and
 //! reports go through this one step, so that they cannot disagree.
 
-pub use crate::field::Field;
+pub use crate::field::{Field, better_unit};
+pub use crate::judge::Refusal;
+use crate::judge::Unsolvable;
 use crate::measured::Measured;
-use crate::quantity::{Length, LengthUnit, Pixels, Quantity};
-use crate::uncertainty::{Interval, Model, Share, Unusable};
-use crate::{agreement, monocular, stereo};
+use crate::quantity::{Length, Pixels, Quantity};
+use crate::uncertainty::{Interval, Model, Share};
+use crate::{agreement, judge, monocular, stereo};
 
 /// The two ways to a distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -52,19 +54,6 @@ impl Method {
             Self::Monocular => "D = w_real · fx / w_img",
         }
     }
-}
-
-/// Why a value cannot be used.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Refusal {
-    /// NaN.
-    NotANumber,
-    /// Zero. For a disparity: the object is infinitely far away.
-    Zero,
-    /// Below zero. For a disparity: left and right may be swapped.
-    Negative,
-    /// Infinite or subnormal, by itself or in the distance that would follow.
-    TooExtreme,
 }
 
 /// What is known: the inputs with their σ (0 where none was given).
@@ -192,20 +181,10 @@ impl Problem {
             Field::Disparity => self.effective_disparity().map(Pixels::px),
             _ => self.get(field),
         };
-        match value {
-            None => Ok(()),
-            Some(value) if value.is_nan() => Err(Refusal::NotANumber),
-            Some(value) if field == Field::Doffs => {
-                if value.is_finite() {
-                    Ok(())
-                } else {
-                    Err(Refusal::TooExtreme)
-                }
-            }
-            Some(0.0) => Err(Refusal::Zero),
-            Some(value) if value < 0.0 => Err(Refusal::Negative),
-            Some(value) if !value.is_normal() => Err(Refusal::TooExtreme),
-            Some(_) => Ok(()),
+        match (field, value) {
+            (_, None) => Ok(()),
+            (Field::Doffs, Some(value)) => judge::finite(value).map(|_| ()),
+            (_, Some(value)) => judge::positive(value).map(|_| ()),
         }
     }
 
@@ -235,11 +214,11 @@ impl Problem {
             (Some(f), Some(w), Some(z)) => finite_length(monocular::real_width(f.value, w.value, z)),
             _ => None,
         };
-        let known = |method, outcome: Outcome| outcome.distance().and_then(|_| self.known(method));
-        let (stereo_known, unusable) = split(known(Method::Stereo, stereo));
-        let (monocular_known, also_unusable) = split(known(Method::Monocular, monocular));
-        let together = match (&stereo_known, &monocular_known) {
-            (Some(stereo), Some(monocular)) => Some(Together {
+        let uncertainty = |method, outcome: Outcome| outcome.distance().and_then(|_| self.uncertainty(method));
+        let (stereo_uncertainty, unusable) = split(uncertainty(Method::Stereo, stereo));
+        let (monocular_uncertainty, also_unusable) = split(uncertainty(Method::Monocular, monocular));
+        let comparison = match (&stereo_uncertainty, &monocular_uncertainty) {
+            (Some(stereo), Some(monocular)) => Some(Comparison {
                 combined: agreement::combine(&stereo.model, &monocular.model),
                 agreement: agreement::compare(&stereo.model, &monocular.model),
             }),
@@ -251,9 +230,9 @@ impl Problem {
             monocular,
             estimated_width_px,
             estimated_width,
-            stereo_known,
-            monocular_known,
-            together,
+            stereo_uncertainty,
+            monocular_uncertainty,
+            comparison,
             unusable_sigma: unusable.or(also_unusable),
         }
     }
@@ -273,7 +252,7 @@ impl Problem {
     }
 
     /// The inputs of `method` with their σ, as one model.
-    fn model(&self, method: Method) -> Option<Result<Model, Unusable>> {
+    fn model(&self, method: Method) -> Option<Result<Model, Unsolvable>> {
         let focal_length = self.focal_length?;
         Some(match method {
             Method::Stereo => Model::stereo(focal_length, self.baseline?, self.disparity?, self.offset()),
@@ -283,12 +262,11 @@ impl Problem {
 
     /// How sure one can be of the distance of `method`; `None` where no input has a σ. The error names the input whose σ is
     /// out of all proportion.
-    fn known(&self, method: Method) -> Option<Result<Known, Field>> {
+    fn uncertainty(&self, method: Method) -> Option<Result<Uncertainty, Field>> {
         match self.model(method)? {
             Ok(model) if model.relative_sigma() == 0.0 => None,
-            Ok(model) => Some(Ok(Known::new(model))),
-            Err(Unusable::Sigma(field) | Unusable::Value(field)) => Some(Err(field)),
-            Err(Unusable::Distance) => Some(Err(self.least_certain(method))),
+            Ok(model) => Some(Ok(Uncertainty::new(model))),
+            Err(unsolvable) => Some(Err(unsolvable.field().unwrap_or_else(|| self.least_certain(method)))),
         }
     }
 
@@ -371,7 +349,7 @@ impl Outcome {
 
 /// How sure one can be of a distance.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Known {
+pub struct Uncertainty {
     /// The inputs with their σ.
     pub model: Model,
     /// σ of the distance to first order.
@@ -384,7 +362,7 @@ pub struct Known {
     pub bias: Option<Length>,
 }
 
-impl Known {
+impl Uncertainty {
     fn new(model: Model) -> Self {
         Self {
             sigma: model.depth_with_sigma().sigma,
@@ -403,16 +381,16 @@ impl Known {
 
 /// What two distances with σ say together.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Together {
+pub struct Comparison {
     /// Both combined; `None` where only the shared focal length has a σ, so that nothing weighs them.
     pub combined: Option<Measured<Length>>,
     /// Whether they agree, and what to look at if not.
     pub agreement: agreement::Agreement,
 }
 
-fn split(known: Option<Result<Known, Field>>) -> (Option<Known>, Option<Field>) {
-    match known {
-        Some(Ok(known)) => (Some(known), None),
+fn split(uncertainty: Option<Result<Uncertainty, Field>>) -> (Option<Uncertainty>, Option<Field>) {
+    match uncertainty {
+        Some(Ok(uncertainty)) => (Some(uncertainty), None),
         Some(Err(field)) => (None, Some(field)),
         None => (None, None),
     }
@@ -432,11 +410,11 @@ pub struct Solution {
     /// w_img·D/fx, with the stereo distance whenever there is one.
     pub estimated_width: Option<Length>,
     /// How sure one can be of the stereo distance; `None` where no input has a σ.
-    pub stereo_known: Option<Known>,
+    pub stereo_uncertainty: Option<Uncertainty>,
     /// How sure one can be of the monocular distance; `None` where no input has a σ.
-    pub monocular_known: Option<Known>,
+    pub monocular_uncertainty: Option<Uncertainty>,
     /// What both say together; `None` unless both are known with σ.
-    pub together: Option<Together>,
+    pub comparison: Option<Comparison>,
     /// An input whose σ is out of all proportion to its value, so that nothing can be said.
     pub unusable_sigma: Option<Field>,
 }
@@ -451,16 +429,16 @@ impl Solution {
     }
 
     /// How sure one can be of the distance of `method`.
-    pub const fn known(&self, method: Method) -> Option<&Known> {
+    pub const fn uncertainty(&self, method: Method) -> Option<&Uncertainty> {
         match method {
-            Method::Stereo => self.stereo_known.as_ref(),
-            Method::Monocular => self.monocular_known.as_ref(),
+            Method::Stereo => self.stereo_uncertainty.as_ref(),
+            Method::Monocular => self.monocular_uncertainty.as_ref(),
         }
     }
 
     /// The stereo distances with the disparity one pixel larger (nearer) and one smaller; the second is `None` where the
     /// object would be infinitely far away. `None` as a whole without a stereo distance.
-    pub fn one_pixel_around(&self) -> Option<(Length, Option<Length>)> {
+    pub fn one_pixel_range(&self) -> Option<(Length, Option<Length>)> {
         self.stereo.distance()?;
         Some((self.problem.stereo_distance_if(1.0)?, self.problem.stereo_distance_if(-1.0)))
     }
@@ -474,22 +452,6 @@ impl Solution {
         let ratio = self.stereo.distance()?.m() / self.monocular.distance()?.m();
         Some(ratio - 1.0).filter(|r| r.is_finite())
     }
-}
-
-/// The first unit in which `typed` would be a usual value of `field`, if it is not one in the unit it was typed in.
-pub fn better_unit(field: Field, typed: f64, unit: LengthUnit) -> Option<LengthUnit> {
-    const LIKELIEST_FIRST: [LengthUnit; 5] = [
-        LengthUnit::Metre,
-        LengthUnit::Millimetre,
-        LengthUnit::Centimetre,
-        LengthUnit::Inch,
-        LengthUnit::Foot,
-    ];
-    let usual = |unit| field.is_usual(Length::new(typed, unit).m());
-    if !field.is_length() || usual(unit) {
-        return None;
-    }
-    LIKELIEST_FIRST.into_iter().find(|&candidate| usual(candidate))
 }
 
 fn finite_length(length: Length) -> Option<Length> {

@@ -6,22 +6,9 @@
 //! is why [`Model::interval`] is the honest answer and [`Model::relative_sigma`] its small-σ limit.
 
 use crate::field::Field;
+use crate::judge::{self, Term, Unsolvable};
 use crate::measured::{Measured, root_sum_of_squares};
 use crate::quantity::{Length, Pixels, times_over};
-
-/// Why no [`Model`] can be made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unusable {
-    /// The value must be finite, and positive (for a disparity: together with doffs).
-    Value(Field),
-    /// The standard deviation must be 0 or more, and less than [`LARGEST_RELATIVE_SIGMA`] times the value.
-    Sigma(Field),
-    /// Every input can be used, but the distance or its σ is too large or too small to be represented.
-    Distance,
-}
-
-/// A σ of more than this many times the value says nothing, and its square could not be represented.
-pub const LARGEST_RELATIVE_SIGMA: f64 = 1e150;
 
 /// The relative σ of the divisor up to which the first-order σ can be trusted: 10 %.
 ///
@@ -63,13 +50,13 @@ impl Model {
     /// of the same image.
     ///
     /// # Errors
-    /// [`Unusable`] names the first input that cannot be used.
+    /// [`Unsolvable`] names the first input that cannot be used.
     pub fn stereo(
         focal_length: Measured<Pixels>,
         baseline: Measured<Length>,
         disparity: Measured<Pixels>,
         doffs: Measured<Pixels>,
-    ) -> Result<Self, Unusable> {
+    ) -> Result<Self, Unsolvable> {
         Self {
             focal_length,
             length: baseline,
@@ -84,12 +71,12 @@ impl Model {
     /// Monocular, Z = w_real·f/w_img: `focal_length` and `image_width` in pixels of the same image.
     ///
     /// # Errors
-    /// [`Unusable`] names the first input that cannot be used.
+    /// [`Unsolvable`] names the first input that cannot be used.
     pub fn monocular(
         focal_length: Measured<Pixels>,
         real_width: Measured<Length>,
         image_width: Measured<Pixels>,
-    ) -> Result<Self, Unusable> {
+    ) -> Result<Self, Unsolvable> {
         Self {
             focal_length,
             length: real_width,
@@ -101,31 +88,23 @@ impl Model {
         .checked()
     }
 
-    fn checked(self) -> Result<Self, Unusable> {
+    fn checked(self) -> Result<Self, Unsolvable> {
         let divisor = self.divisor();
-        let is_positive = |value: f64| value.is_normal() && value > 0.0;
-        if !is_positive(self.focal_length.value.px()) {
-            return Err(Unusable::Value(Field::FocalLength));
-        }
-        if !is_positive(self.length.value.m()) {
-            return Err(Unusable::Value(self.length_source));
-        }
-        if !self.doffs.value.px().is_finite() {
-            return Err(Unusable::Value(Field::Doffs));
-        }
-        if !self.pixels.value.px().is_finite() || !is_positive(divisor.value.px()) {
-            return Err(Unusable::Value(self.pixels_source));
-        }
+        let pixels = Term::Input(self.pixels_source);
+        judge::value(Term::Input(Field::FocalLength), judge::positive(self.focal_length.value.px()))?;
+        judge::value(Term::Input(self.length_source), judge::positive(self.length.value.m()))?;
+        judge::value(Term::Input(Field::Doffs), judge::finite(self.doffs.value.px()))?;
+        judge::value(pixels, judge::finite(self.pixels.value.px()))?;
+        judge::value(pixels, judge::positive(divisor.value.px()))?;
         for (source, relative) in self.relative_sigmas() {
-            if !(0.0..=LARGEST_RELATIVE_SIGMA).contains(&relative) {
-                return Err(Unusable::Sigma(source));
-            }
+            judge::relative_sigma(Term::Input(source), relative)?;
         }
         let depth = self.depth().m();
-        if !depth.is_normal() || !(depth * self.relative_sigma()).is_finite() || !divisor.sigma.px().is_finite() {
-            return Err(Unusable::Distance);
+        if depth.is_normal() && (depth * self.relative_sigma()).is_finite() && divisor.sigma.px().is_finite() {
+            Ok(self)
+        } else {
+            Err(Unsolvable::too_extreme(Term::Distance))
         }
-        Ok(self)
     }
 
     /// The distance.

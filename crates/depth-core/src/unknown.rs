@@ -2,17 +2,9 @@
 //! must have had, the focal length from one photograph at a known distance.
 
 use crate::field::Field;
+use crate::judge::{self, Term, Unsolvable};
 use crate::measured::{Measured, measured_times_over as times_over};
 use crate::quantity::{Length, Pixels, Quantity};
-
-/// A term of the equation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Term {
-    /// One of the inputs of a distance.
-    Input(Field),
-    /// The distance itself.
-    Distance,
-}
 
 /// The unknown of an equation with its σ to first order.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,17 +48,6 @@ impl Found {
     }
 }
 
-/// Why an equation cannot be solved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unsolvable {
-    /// Exactly one term must be absent.
-    NotOneUnknown,
-    /// This term is not finite, not positive (for a disparity: together with doffs), or its σ is negative.
-    Unusable(Term),
-    /// The solution or its σ is too large or too small to be represented.
-    TooExtreme(Term),
-}
-
 /// Z·(d + δ) = f·b; `None` for what is asked for. All pixels are those of one image.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StereoEquation {
@@ -105,8 +86,8 @@ impl StereoEquation {
     pub fn solve(&self) -> Result<Found, Unsolvable> {
         let focal_length = positive(self.focal_length, Term::Input(Field::FocalLength))?;
         let baseline = positive(self.baseline, Term::Input(Field::Baseline))?;
-        let disparity = possible(self.disparity, Term::Input(Field::Disparity))?;
-        let doffs = possible(self.doffs, Term::Input(Field::Doffs))?;
+        let disparity = finite(self.disparity, Term::Input(Field::Disparity))?;
+        let doffs = finite(self.doffs, Term::Input(Field::Doffs))?;
         let distance = positive(self.distance, Term::Distance)?;
         match (focal_length, baseline, disparity, doffs, distance) {
             (None, Some(b), Some(d), Some(o), Some(z)) => found(times_over(z, divisor(d, o)?, b), Found::FocalLength),
@@ -141,28 +122,19 @@ impl MonocularEquation {
     }
 }
 
+/// A term that is given must be positive.
 fn positive<Q: Quantity>(given: Option<Measured<Q>>, term: Term) -> Result<Option<Measured<Q>>, Unsolvable> {
-    match given {
-        Some(measured) if !measured.is_positive() => Err(Unsolvable::Unusable(term)),
-        given => Ok(given),
-    }
+    given.map(|given| judge::positive_measured(term, given)).transpose()
 }
 
-fn possible<Q: Quantity>(given: Option<Measured<Q>>, term: Term) -> Result<Option<Measured<Q>>, Unsolvable> {
-    match given {
-        Some(measured) if !measured.is_possible() => Err(Unsolvable::Unusable(term)),
-        given => Ok(given),
-    }
+/// A term that is given may have either sign.
+fn finite<Q: Quantity>(given: Option<Measured<Q>>, term: Term) -> Result<Option<Measured<Q>>, Unsolvable> {
+    given.map(|given| judge::finite_measured(term, given)).transpose()
 }
 
 /// d + δ, which must be positive.
 fn divisor(disparity: Measured<Pixels>, doffs: Measured<Pixels>) -> Result<Measured<Pixels>, Unsolvable> {
-    let sum = disparity.plus(doffs);
-    if sum.is_positive() {
-        Ok(sum)
-    } else {
-        Err(Unsolvable::Unusable(Term::Input(Field::Disparity)))
-    }
+    judge::positive_measured(Term::Input(Field::Disparity), disparity.plus(doffs))
 }
 
 /// d + δ that belongs to a distance, f·b/Z.
@@ -172,8 +144,7 @@ fn shift(f: Measured<Pixels>, b: Measured<Length>, z: Measured<Length>) -> Optio
 
 /// `value` as the `unknown`, where it can be represented.
 fn found<Q: Quantity>(value: Option<Measured<Q>>, unknown: fn(Measured<Q>) -> Found) -> Result<Found, Unsolvable> {
-    match value {
-        Some(value) if value.is_possible() => Ok(unknown(value)),
-        _ => Err(Unsolvable::TooExtreme(unknown(Measured::exact(Q::ZERO)).term())),
-    }
+    let term = unknown(Measured::exact(Q::ZERO)).term();
+    let value = value.filter(|&value| judge::finite_measured(term, value).is_ok());
+    value.map(unknown).ok_or(Unsolvable::too_extreme(term))
 }

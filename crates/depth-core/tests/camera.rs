@@ -1,11 +1,12 @@
 //! Where a camera's numbers come from: OpenCV's and the makers' figures, exact geometry, every magnitude.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "tests")]
 
 use depth_core::angle::Angle;
 use depth_core::camera::{
-    GroundView, Intrinsics, NoGround, SENSOR_FORMATS, depth_of_tilted_target, diagonal, field_of_view, focal_length_from_field_of_view,
+    GroundView, Intrinsics, SENSOR_FORMATS, depth_of_tilted_target, diagonal, field_of_view, focal_length_from_field_of_view,
     focal_length_from_pixel_pitch, focal_length_from_reference_photo, focal_length_from_sensor_width, pixel_size,
 };
+use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
 use depth_core::quantity::{Length, LengthUnit, Pixels};
 use proptest::prelude::*;
@@ -235,23 +236,37 @@ fn above_the_horizon_there_is_no_floor() {
         row: Measured::from_base(row, 0.0),
         ..view
     };
-    assert_eq!(at(horizon - 0.01).distance(), Err(NoGround::AboveHorizon));
+    let above = Err(Unsolvable::AboveHorizon {
+        horizon: Some(px(horizon)),
+    });
+    assert_eq!(at(horizon - 0.01).distance(), above);
     assert!(at(horizon + 0.01).distance().unwrap().value.m() > 1e4);
     let level = GroundView {
         pitch: Measured::from_base(0.0, 0.0),
         ..at(350.0)
     };
-    assert_eq!(level.distance(), Err(NoGround::AboveHorizon), "the horizon itself");
+    let above = Err(Unsolvable::AboveHorizon { horizon: Some(px(350.0)) });
+    assert_eq!(level.distance(), above, "the horizon itself");
     let down = GroundView {
         pitch: Measured::from_base(80.0_f64.to_radians(), 0.0),
         ..at(600.0)
     };
-    assert_eq!(down.distance(), Err(NoGround::BelowCamera));
+    let Err(Unsolvable::BelowCamera { down }) = down.distance() else {
+        panic!("the ray meets the floor");
+    };
+    // 80° and atan(250/705).
+    assert_near(down.degrees(), 80.0 + 19.525, 0.001);
     let flat = GroundView {
         height: Measured::from_base(0.0, 0.0),
         ..view
     };
-    assert_eq!(flat.distance(), Err(NoGround::Unusable));
+    assert_eq!(
+        flat.distance(),
+        Err(Unsolvable::Value {
+            term: Term::CameraHeight,
+            refusal: Refusal::Zero
+        })
+    );
     assert_eq!(flat.horizon_row(), None);
 }
 

@@ -2,10 +2,11 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
 use depth_core::field::Field;
+use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
 use depth_core::quantity::{Length, Pixels, Quantity};
 use depth_core::stereo;
-use depth_core::uncertainty::{FIRST_ORDER_LIMIT, Model, Unusable};
+use depth_core::uncertainty::{FIRST_ORDER_LIMIT, Model};
 use proptest::prelude::*;
 
 const NO_DOFFS: Measured<Pixels> = Measured::exact(Pixels::new(0.0));
@@ -168,6 +169,13 @@ fn first_order_is_trusted_up_to_ten_per_cent() {
 #[test]
 fn an_input_that_cannot_be_used_is_named() {
     let make = |f, b, d, o| Model::stereo(f, b, d, o);
+    let value = |field, refusal| {
+        Err(Unsolvable::Value {
+            term: Term::Input(field),
+            refusal,
+        })
+    };
+    let sigma = |field| Err(Unsolvable::Sigma { term: Term::Input(field) });
     let (f, b, d, o) = (
         Measured::from_base(700.0, 0.0),
         Measured::from_base(0.1, 0.0),
@@ -175,24 +183,27 @@ fn an_input_that_cannot_be_used_is_named() {
         NO_DOFFS,
     );
     let nan = Measured::from_base(f64::NAN, 0.0);
-    assert_eq!(make(nan, b, d, o), Err(Unusable::Value(Field::FocalLength)));
-    assert_eq!(make(f, Measured::from_base(-0.1, 0.0), d, o), Err(Unusable::Value(Field::Baseline)));
-    assert_eq!(make(f, b, Measured::from_base(0.0, 0.0), o), Err(Unusable::Value(Field::Disparity)));
+    assert_eq!(make(nan, b, d, o), value(Field::FocalLength, Refusal::NotANumber));
+    assert_eq!(
+        make(f, Measured::from_base(-0.1, 0.0), d, o),
+        value(Field::Baseline, Refusal::Negative)
+    );
+    assert_eq!(make(f, b, Measured::from_base(0.0, 0.0), o), value(Field::Disparity, Refusal::Zero));
     assert_eq!(
         make(f, b, d, Measured::from_base(-50.0, 0.0)),
-        Err(Unusable::Value(Field::Disparity))
+        value(Field::Disparity, Refusal::Zero)
     );
-    assert_eq!(make(f, b, d, nan), Err(Unusable::Value(Field::Doffs)));
-    assert_eq!(
-        make(f, b, Measured::from_base(50.0, -1.0), o),
-        Err(Unusable::Sigma(Field::Disparity))
-    );
-    assert_eq!(
-        make(f, b, d, Measured::from_base(0.0, f64::NAN)),
-        Err(Unusable::Sigma(Field::Doffs))
-    );
+    assert_eq!(make(f, b, d, nan), value(Field::Doffs, Refusal::NotANumber));
+    assert_eq!(make(f, b, Measured::from_base(50.0, -1.0), o), sigma(Field::Disparity));
+    assert_eq!(make(f, b, d, Measured::from_base(0.0, f64::NAN)), sigma(Field::Doffs));
     let (huge, long) = (Measured::from_base(1e300, 0.0), Measured::from_base(1e300, 0.0));
-    assert_eq!(make(huge, long, d, o), Err(Unusable::Distance));
+    assert_eq!(
+        make(huge, long, d, o),
+        Err(Unsolvable::Value {
+            term: Term::Distance,
+            refusal: Refusal::TooExtreme
+        })
+    );
     assert!(
         make(f, b, Measured::from_base(-10.0, 0.0), Measured::from_base(60.0, 0.0)).is_ok(),
         "doffs may make up for it"
@@ -210,7 +221,7 @@ fn any_measured<Q: Quantity + std::fmt::Debug>() -> impl Strategy<Value = Measur
         .prop_map(|(value, relative, anything, choice)| Measured::from_base(value, if choice == 0 { anything } else { value * relative }))
 }
 
-fn any_model() -> impl Strategy<Value = Result<Model, Unusable>> {
+fn any_model() -> impl Strategy<Value = Result<Model, Unsolvable>> {
     prop_oneof![
         (any_measured(), any_measured(), any_measured(), any_measured()).prop_map(|(f, b, d, o)| Model::stereo(f, b, d, o)),
         (any_measured(), any_measured(), any_measured()).prop_map(|(f, w, p)| Model::monocular(f, w, p)),

@@ -2,9 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
 use depth_core::field::Field;
+use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
 use depth_core::quantity::Quantity;
-use depth_core::unknown::{MonocularEquation, StereoEquation, Term, Unsolvable};
+use depth_core::unknown::{MonocularEquation, StereoEquation};
 use proptest::prelude::*;
 
 /// The unknown in its base unit.
@@ -138,19 +139,25 @@ fn exactly_one_unknown_is_wanted() {
 
 #[test]
 fn a_term_that_cannot_be_used_is_named() {
+    let value = |term, refusal| Err(Unsolvable::Value { term, refusal });
     let mut given = measured_pair();
     given[4] = Measured::from_base(0.0, 0.0);
-    assert_eq!(stereo(given, 1), Err(Unsolvable::Unusable(Term::Distance)));
+    assert_eq!(stereo(given, 1), value(Term::Distance, Refusal::Zero));
     let mut given = measured_pair();
     given[3] = Measured::from_base(-50.0, 0.0);
-    assert_eq!(stereo(given, 4), Err(Unsolvable::Unusable(Term::Input(Field::Disparity))));
+    assert_eq!(stereo(given, 4), value(Term::Input(Field::Disparity), Refusal::Zero));
     let mut given = mug();
     given[2].sigma = -1.0;
-    assert_eq!(monocular(given, 0), Err(Unsolvable::Unusable(Term::Input(Field::ImageWidth))));
+    assert_eq!(
+        monocular(given, 0),
+        Err(Unsolvable::Sigma {
+            term: Term::Input(Field::ImageWidth)
+        })
+    );
     let mut given = mug();
     given[0] = Measured::from_base(1e300, 0.0);
     given[1] = Measured::from_base(1e300, 0.0);
-    assert_eq!(monocular(given, 3), Err(Unsolvable::TooExtreme(Term::Distance)));
+    assert_eq!(monocular(given, 3), value(Term::Distance, Refusal::TooExtreme));
 }
 
 #[test]

@@ -266,7 +266,7 @@ impl Inputs {
             problem = problem.without_sigmas();
         }
         let mut solution = problem.solve();
-        if let Some(together) = &mut solution.together {
+        if let Some(together) = &mut solution.comparison {
             // Of all slips of the unit that would explain a disagreement, only one from the unit in use can have happened.
             together.agreement.suspects.retain(|suspect| match suspect {
                 Suspect::Unit { source, taken, .. } => self.unit(*source) == Some(*taken),

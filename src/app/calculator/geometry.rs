@@ -5,7 +5,8 @@ use crate::app::saved::Texts;
 use crate::app::widgets::number_field::{NumberField, Unit};
 use crate::app::widgets::{cards, text};
 use crate::core::angle::Angle;
-use crate::core::camera::{self, GroundView, Intrinsics, NoGround};
+use crate::core::camera::{self, GroundView, Intrinsics};
+use crate::core::judge::{Term, Unsolvable};
 use crate::core::measured::Measured;
 use crate::core::problem::Solution;
 use crate::core::quantity::{Length, LengthUnit, Pixels};
@@ -138,13 +139,15 @@ fn ground(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts,
                     };
                     super::table::pairs(ui, "Ground plane", &[("Distance along the floor", words)]);
                 }
-                Err(NoGround::AboveHorizon) => problem(
+                Err(Unsolvable::AboveHorizon { .. }) => problem(
                     ui,
                     "This row is at the horizon or above it: its ray never meets the floor. Use a lower row.",
                 ),
-                Err(NoGround::BelowCamera) => problem(ui, "This ray goes straight down or backwards. Check pitch and row."),
-                Err(NoGround::Unusable) => problem(ui, "Height and focal length must be above zero, and no uncertainty below it."),
-                Err(NoGround::TooExtreme) => problem(ui, "With these numbers there is no distance that a computer can represent."),
+                Err(Unsolvable::BelowCamera { .. }) => problem(ui, "This ray goes straight down or backwards. Check pitch and row."),
+                Err(Unsolvable::Value { term: Term::Distance, .. }) => {
+                    problem(ui, "With these numbers there is no distance that a computer can represent.")
+                }
+                Err(_) => problem(ui, "Height and focal length must be above zero, and no uncertainty below it."),
             }
         }
         text::caption(

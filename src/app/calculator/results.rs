@@ -5,7 +5,7 @@ use crate::app::theme::{self, Layout};
 use crate::app::widgets::quantity_field::length_unit_choice;
 use crate::app::widgets::{cards, text};
 use crate::core::agreement::Verdict;
-use crate::core::problem::{Method, Solution, Together};
+use crate::core::problem::{Comparison, Method, Solution};
 use crate::core::quantity::LengthUnit;
 use crate::formats::inputs::{Assessment, Unknown};
 use crate::formats::report;
@@ -67,7 +67,7 @@ pub fn show(
         card(ui, "Result", |ui| empty(ui, unit));
         return;
     }
-    shown.extend(solution.together.as_ref().map(Shown::Together));
+    shown.extend(solution.comparison.as_ref().map(Shown::Together));
     let columns = if layout.columns() == 1 { 1 } else { shown.len() };
     for (number, row) in shown.chunks(columns).enumerate() {
         let id = Id::unique(("results", columns, number));
@@ -87,7 +87,7 @@ pub fn show(
 #[derive(Clone, Copy)]
 enum Shown<'a> {
     Method(Method),
-    Together(&'a Together),
+    Together(&'a Comparison),
 }
 
 impl Shown<'_> {
@@ -100,7 +100,7 @@ impl Shown<'_> {
 }
 
 /// What both distances say together, and whether they agree.
-fn combined(ui: &mut Ui, together: &Together, unit: LengthUnit) {
+fn combined(ui: &mut Ui, together: &Comparison, unit: LengthUnit) {
     let palette = theme::palette(ui);
     let (words, front, back) = match together.agreement.verdict {
         Some(Verdict::Agree) => ("They agree", palette.green, palette.green_tint),
@@ -186,7 +186,7 @@ fn result(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
     text::badge(ui, method.name(), front, back);
     let distance = solution.outcome(method).distance();
     let name = format!("{} distance", method.name());
-    match (distance, solution.known(method)) {
+    match (distance, solution.uncertainty(method)) {
         (Some(distance), Some(known)) => {
             let words = report::with_sigma(distance, known.sigma, unit);
             number(ui, &words.value, &format!("{} ± {}", unit.symbol(), words.sigma), &name);

@@ -52,7 +52,7 @@ impl Model {
             Method::Monocular
         };
         let interval_m = solution
-            .known(method)
+            .uncertainty(method)
             .map(|known| (known.interval.near.m(), known.interval.far.map(Length::m)));
         let model = match solution.stereo.distance() {
             Some(depth) => Self {
