@@ -189,7 +189,7 @@ impl Calculate {
             return json::answer(solution, &warnings).map(Reply::without_warnings);
         }
         Ok(Reply {
-            text: text::answer(solution, self.unit),
+            text: text::answer(&assessment, self.unit),
             warnings: warnings
                 .iter()
                 .map(|Warning { field, message }| format!("--{field}: {message}"))

@@ -4,6 +4,7 @@ use super::digits::{in_sentence, plain, rounded, significant};
 use crate::core::agreement::Verdict;
 use crate::core::problem::{Field, Method, Solution, Uncertainty};
 use crate::core::quantity::{Length, LengthUnit};
+use crate::formats::inputs::Assessment;
 use crate::formats::report;
 
 /// Significant digits of a number without σ.
@@ -17,7 +18,8 @@ const FIRST_ORDER_IS_POOR: &str =
     "The pixels are known to worse than 10 %: plus or minus σ is a poor description here, the interval is right.";
 
 /// The answer with its lengths in `unit`, a line each.
-pub(super) fn answer(solution: &Solution, unit: LengthUnit) -> String {
+pub(super) fn answer(assessment: &Assessment, unit: LengthUnit) -> String {
+    let solution = &assessment.solution;
     let mut lines = Vec::new();
     // Two distances that contradict each other have nothing in between that could be right.
     let compatible = solution
@@ -28,13 +30,13 @@ pub(super) fn answer(solution: &Solution, unit: LengthUnit) -> String {
     if let Some(combined) = combined {
         let value = with_sigma(combined.value, combined.sigma, unit);
         lines.push(format!("{value} (combined, the shared focal length accounted for)"));
-        lines.extend(agreement(solution));
+        lines.extend(agreement(assessment));
     }
     for method in Method::ALL {
         lines.extend(of_method(solution, method, unit).unwrap_or_default());
     }
     if combined.is_none() {
-        lines.extend(agreement(solution));
+        lines.extend(agreement(assessment));
     }
     lines.extend(widths(solution, unit));
     lines.into_iter().map(|line| in_sentence(&line) + "\n").collect()
@@ -69,9 +71,11 @@ fn of_method(solution: &Solution, method: Method, unit: LengthUnit) -> Option<Ve
 }
 
 /// Whether both methods agree, and what to look at if not.
-fn agreement(solution: &Solution) -> Vec<String> {
-    let Some(together) = &solution.comparison else { return Vec::new() };
-    let suspects = together.agreement.suspects.iter().map(report::suspect_sentence);
+fn agreement(assessment: &Assessment) -> Vec<String> {
+    let Some(together) = &assessment.solution.comparison else {
+        return Vec::new();
+    };
+    let suspects = assessment.suspects.iter().map(report::suspect_sentence);
     std::iter::once(report::agreement_sentence(&together.agreement))
         .chain(suspects)
         .map(|sentence| format!("  {sentence}"))

@@ -5,7 +5,11 @@ use depth_core::measured::Measured;
 use depth_core::monte_carlo::MonteCarlo;
 use depth_core::problem::{Field, Problem};
 use depth_core::uncertainty::Model;
-use divan::{Bencher, black_box, counter::ItemsCount};
+use divan::{AllocProfiler, Bencher, black_box, counter::ItemsCount};
+
+/// Shows what is allocated beside the time.
+#[global_allocator]
+static ALLOCATIONS: AllocProfiler = AllocProfiler::system();
 
 fn main() {
     divan::main();
@@ -43,6 +47,17 @@ fn solve_with_sigma(bencher: Bencher) {
         problem.set_sigma(field, problem.get(field).map_or(0.0, |value| 0.01 * value));
     }
     assert!(problem.solve().comparison.is_some(), "both methods have an uncertainty");
+    bencher.bench(|| black_box(&problem).solve());
+}
+
+/// The two distances disagree.
+#[divan::bench]
+fn solve_with_sigma_and_disagree(bencher: Bencher) {
+    let mut problem = problem();
+    problem.set(Field::RealWidth, Some(0.9));
+    for field in Field::ALL {
+        problem.set_sigma(field, problem.get(field).map_or(0.0, |value| 0.01 * value));
+    }
     bencher.bench(|| black_box(&problem).solve());
 }
 

@@ -41,7 +41,7 @@ pub fn combine(first: &Model, second: &Model) -> Option<Measured<Length>> {
 }
 
 /// How well two distances agree.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Agreement {
     /// First distance over second; `None` where it is too large or too small to be represented.
     pub ratio: Option<f64>,
@@ -49,8 +49,6 @@ pub struct Agreement {
     pub z: Option<f64>,
     /// What that means; `None` where `z` is.
     pub verdict: Option<Verdict>,
-    /// What to look at, likeliest first; empty where they agree.
-    pub suspects: Vec<Suspect>,
 }
 
 /// What a difference of so many standard deviations means.
@@ -124,21 +122,21 @@ pub fn compare(first: &Model, second: &Model) -> Agreement {
     let sigma = root_sum_of_squares(&[first.own_relative_sigma(), second.own_relative_sigma()]);
     let z = (sigma > 0.0).then(|| (log_ratio.abs() / sigma).min(f64::MAX));
     let verdict = z.map(Verdict::of);
-    let suspects = if verdict == Some(Verdict::Agree) || log_ratio.abs() < 1e-12 {
-        Vec::new()
-    } else {
-        suspects(first, second, log_ratio)
-    };
     Agreement {
         ratio: Some(z1 / z2).filter(|ratio| ratio.is_normal()),
         z,
         verdict,
-        suspects,
     }
 }
 
-/// The suspects, blunders that would explain the ratio first. The focal length is never one: it cancels.
-fn suspects(first: &Model, second: &Model, log_ratio: f64) -> Vec<Suspect> {
+/// What to look at where two distances that were computed from the same focal length disagree, likeliest first: blunders
+/// that would explain their ratio, inputs that claim to be exact, the vaguest input. Empty where they
+/// [agree](Verdict::Agree). The focal length is never a suspect: it cancels.
+pub fn suspects(first: &Model, second: &Model) -> Vec<Suspect> {
+    let log_ratio = log_ratio(first.depth().m(), second.depth().m());
+    if compare(first, second).verdict == Some(Verdict::Agree) || log_ratio.abs() < 1e-12 {
+        return Vec::new();
+    }
     let mut blunders: Vec<(f64, Suspect)> = blunders(first)
         .into_iter()
         .chain(blunders(second).into_iter().map(|(factor, blunder)| (-factor, blunder)))

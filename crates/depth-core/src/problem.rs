@@ -6,7 +6,7 @@ pub use crate::judge::Refusal;
 use crate::judge::Unsolvable;
 use crate::measured::Measured;
 use crate::quantity::{Length, Pixels, Quantity};
-use crate::uncertainty::{Interval, Model, Share};
+use crate::uncertainty::{Budget, Interval, Model, Share};
 use crate::{agreement, judge, monocular, stereo};
 
 /// The two ways to a distance.
@@ -348,7 +348,7 @@ impl Outcome {
 }
 
 /// How sure one can be of a distance.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Uncertainty {
     /// The inputs with their σ.
     pub model: Model,
@@ -357,7 +357,7 @@ pub struct Uncertainty {
     /// The 1 σ interval without linearisation.
     pub interval: Interval,
     /// Which input causes which part of the variance; adds to 1.
-    pub budget: Vec<Share>,
+    pub budget: Budget,
     /// How much too far the average of many such distances comes out; `None` where that cannot be said.
     pub bias: Option<Length>,
 }
@@ -380,11 +380,11 @@ impl Uncertainty {
 }
 
 /// What two distances with σ say together.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Comparison {
     /// Both combined; `None` where only the shared focal length has a σ, so that nothing weighs them.
     pub combined: Option<Measured<Length>>,
-    /// Whether they agree, and what to look at if not.
+    /// Whether they agree; if not, [`Solution::suspects`] says what to look at.
     pub agreement: agreement::Agreement,
 }
 
@@ -397,7 +397,7 @@ fn split(uncertainty: Option<Result<Uncertainty, Field>>) -> (Option<Uncertainty
 }
 
 /// Everything computed from a [`Problem`]; made once when the inputs change.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solution {
     /// What it was computed from.
     pub problem: Problem,
@@ -433,6 +433,15 @@ impl Solution {
         match method {
             Method::Stereo => self.stereo_uncertainty.as_ref(),
             Method::Monocular => self.monocular_uncertainty.as_ref(),
+        }
+    }
+
+    /// What to look at where both distances disagree, likeliest first; empty where they agree. Worked out on demand, because
+    /// few want it: [`agreement::suspects`].
+    pub fn suspects(&self) -> Vec<agreement::Suspect> {
+        match (&self.stereo_uncertainty, &self.monocular_uncertainty) {
+            (Some(stereo), Some(monocular)) => agreement::suspects(&stereo.model, &monocular.model),
+            _ => Vec::new(),
         }
     }
 

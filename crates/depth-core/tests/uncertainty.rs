@@ -99,7 +99,7 @@ fn exact_inputs_give_an_exact_distance() {
     let interval = model.interval();
     assert_eq!(model.depth_with_sigma(), Measured::from_base(1.4, 0.0));
     assert_eq!((interval.near, interval.far), (Length::from_m(1.4), Some(Length::from_m(1.4))));
-    assert_eq!(model.variance_budget(), []);
+    assert_eq!(model.variance_budget().shares(), []);
     assert_eq!(model.relative_bias(), Some(0.0));
 }
 
@@ -255,7 +255,7 @@ proptest! {
         prop_assert!(0.0 <= interval.near.m() && interval.near <= model.depth());
         prop_assert!(interval.far.is_none_or(|far| far.m().is_finite() && far >= model.depth()));
         prop_assert!(model.bias().is_none_or(|bias| bias.m().is_finite()));
-        for share in model.variance_budget() {
+        for share in &model.variance_budget() {
             prop_assert!((0.0..=1.0 + 1e-12).contains(&share.share), "{:?}", share);
         }
     }

@@ -265,14 +265,13 @@ impl Inputs {
             // The uncertainty asked for is that of the unknown; what it would give back to the distance is only an echo.
             problem = problem.without_sigmas();
         }
-        let mut solution = problem.solve();
-        if let Some(together) = &mut solution.comparison {
-            // Of all slips of the unit that would explain a disagreement, only one from the unit in use can have happened.
-            together.agreement.suspects.retain(|suspect| match suspect {
-                Suspect::Unit { source, taken, .. } => self.unit(*source) == Some(*taken),
-                _ => true,
-            });
-        }
+        let solution = problem.solve();
+        let mut suspects = solution.suspects();
+        // Of all slips of the unit that would explain a disagreement, only one from the unit in use can have happened.
+        suspects.retain(|suspect| match suspect {
+            Suspect::Unit { source, taken, .. } => self.unit(*source) == Some(*taken),
+            _ => true,
+        });
         for method in Method::ALL {
             if let Outcome::Refused { field, refusal } = solution.outcome(method) {
                 notes.retain(|note| (note.field, note.part, note.severity) != (field, Part::Value, Severity::Warning));
@@ -288,7 +287,12 @@ impl Inputs {
             ));
         }
         notes.sort_by_key(|note| (note.field, note.part));
-        Assessment { solution, notes, unknown }
+        Assessment {
+            solution,
+            suspects,
+            notes,
+            unknown,
+        }
     }
 
     /// Solves the equation of `method` for `field`, with the distance as an input.
@@ -652,6 +656,8 @@ pub struct Fix {
 pub struct Assessment {
     /// Everything that could be computed.
     pub solution: Solution,
+    /// What to look at where both distances disagree, likeliest first.
+    pub suspects: Vec<Suspect>,
     /// What to say at the fields, in reading order, at most one for each value and one for each σ.
     pub notes: Vec<Note>,
     /// What was solved for, where it was not the distance.

@@ -219,13 +219,7 @@ fn results(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
             lines.push(format!("Combined distance, the shared focal length accounted for: {value}"));
         }
         lines.push(format!("  {}", agreement_sentence(&together.agreement)));
-        lines.extend(
-            together
-                .agreement
-                .suspects
-                .iter()
-                .map(|suspect| format!("  {}", suspect_sentence(suspect))),
-        );
+        lines.extend(assessment.suspects.iter().map(|suspect| format!("  {}", suspect_sentence(suspect))));
     }
     if let Some(width) = solution.estimated_width_px {
         lines.push(format!(
@@ -291,7 +285,7 @@ pub fn decimals_beside(value: f64, sigma: f64) -> i32 {
 
 /// Where the variance comes from: "disparity 75 %, baseline 19 %, focal length 6 %", the largest first.
 pub fn budget(known: &Uncertainty) -> String {
-    let mut shares = known.budget.clone();
+    let mut shares = known.budget.to_vec();
     shares.sort_by(|a, b| b.share.total_cmp(&a.share));
     shares
         .iter()
@@ -437,7 +431,6 @@ mod tests {
                 ratio: Some(1.0),
                 z: Some(z),
                 verdict: Some(Verdict::of(z)),
-                suspects: Vec::new(),
             });
             assert!(sentence.contains(expected), "{sentence}");
         }

@@ -4,7 +4,7 @@ use crate::app::command::Command;
 use crate::app::theme::{self, Layout};
 use crate::app::widgets::quantity_field::length_unit_choice;
 use crate::app::widgets::{cards, text};
-use crate::core::agreement::Verdict;
+use crate::core::agreement::{Suspect, Verdict};
 use crate::core::problem::{Comparison, Method, Solution};
 use crate::core::quantity::LengthUnit;
 use crate::formats::inputs::{Assessment, Unknown};
@@ -75,7 +75,7 @@ pub fn show(
             card(ui, shown.name(), |ui| {
                 match shown {
                     Shown::Method(method) => result(ui, solution, method, unit),
-                    Shown::Together(together) => combined(ui, together, unit),
+                    Shown::Together(together) => combined(ui, together, &assessment.suspects, unit),
                 }
                 cards::fill_height(ui, id);
             });
@@ -100,7 +100,7 @@ impl Shown<'_> {
 }
 
 /// What both distances say together, and whether they agree.
-fn combined(ui: &mut Ui, together: &Comparison, unit: LengthUnit) {
+fn combined(ui: &mut Ui, together: &Comparison, suspects: &[Suspect], unit: LengthUnit) {
     let palette = theme::palette(ui);
     let (words, front, back) = match together.agreement.verdict {
         Some(Verdict::Agree) => ("They agree", palette.green, palette.green_tint),
@@ -131,7 +131,7 @@ fn combined(ui: &mut Ui, together: &Comparison, unit: LengthUnit) {
                 .color(palette.text),
         );
     }
-    for suspect in together.agreement.suspects.iter().take(3) {
+    for suspect in suspects.iter().take(3) {
         text::caption(ui, format!("• {}", report::suspect_sentence(suspect)));
     }
 }
