@@ -3,8 +3,9 @@
 //! Both are computed from the same focal length. Its error moves both alike: it can neither make them disagree nor be
 //! averaged away.
 
+use crate::arithmetic::root_sum_of_squares;
 use crate::field::Field;
-use crate::measured::{Measured, root_sum_of_squares};
+use crate::measured::Measured;
 use crate::quantity::{Length, LengthUnit};
 use crate::uncertainty::Model;
 

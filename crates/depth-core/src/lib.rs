@@ -3,6 +3,7 @@
 
 pub mod agreement;
 pub mod angle;
+mod arithmetic;
 pub mod camera;
 pub mod disparity;
 pub mod field;

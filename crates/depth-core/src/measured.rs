@@ -1,6 +1,7 @@
 //! [`Measured`]: a value with its standard uncertainty.
 
-use crate::quantity::{Quantity, times_over};
+use crate::arithmetic::{root_sum_of_squares, times_over};
+use crate::quantity::Quantity;
 
 /// A value with its standard uncertainty (1 σ), 0 where none was given.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,17 +73,4 @@ pub(crate) fn measured_times_over<A: Quantity, B: Quantity, C: Quantity, R: Quan
     let value = times_over(a.value.to_base(), b.value.to_base(), c.value.to_base());
     let sigma = value * root_sum_of_squares(&[a.relative(), b.relative(), c.relative()]);
     (value.is_normal() && sigma.is_finite()).then(|| Measured::from_base(value, sigma))
-}
-
-/// √(Σ x²) without overflow or underflow on the way.
-///
-/// Only additions, multiplications, divisions and a square root, which are the same on every platform;
-/// [`f64::hypot`] is not.
-pub(crate) fn root_sum_of_squares(terms: &[f64]) -> f64 {
-    let largest = terms.iter().fold(0.0_f64, |largest, term| largest.max(term.abs()));
-    if largest == 0.0 || largest.is_infinite() {
-        return largest;
-    }
-    let sum: f64 = terms.iter().map(|term| (term / largest) * (term / largest)).sum();
-    largest * sum.sqrt()
 }

@@ -2,7 +2,8 @@
 //!
 //! The object is taken to face the camera (its width parallel to the image plane).
 
-use crate::quantity::{Length, Pixels, times_over};
+use crate::arithmetic::times_over;
+use crate::quantity::{Length, Pixels};
 
 /// Depth of an object of known width, Z = w_real·f/w_img.
 ///

@@ -11,8 +11,9 @@
 //! Both ends keep the order of the draws, so that every quantile is right; the mean and the standard deviation of such a
 //! distance do not exist, and none is given.
 
+use crate::arithmetic::times_over;
 use crate::measured::Measured;
-use crate::quantity::{Length, Quantity, times_over};
+use crate::quantity::{Length, Quantity};
 use crate::uncertainty::Model;
 
 /// A random experiment that can be carried out in pieces: the same model and seed give the same draws however they are cut

@@ -155,14 +155,3 @@ impl LengthUnit {
         }
     }
 }
-
-/// a·b/c for positive numbers, exact to rounding wherever the result itself is a normal number, even when a·b alone
-/// would overflow or underflow.
-pub(crate) fn times_over(a: f64, b: f64, c: f64) -> f64 {
-    let product = a * b;
-    if product.is_normal() {
-        product / c
-    } else {
-        a.max(b) / c * a.min(b)
-    }
-}

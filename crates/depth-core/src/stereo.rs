@@ -1,6 +1,7 @@
 //! Two parallel, rectified cameras: depth from disparity.
 
-use crate::quantity::{Length, Pixels, times_over};
+use crate::arithmetic::times_over;
+use crate::quantity::{Length, Pixels};
 
 /// Depth of a point along the optical axis, Z = f·b/d, for a rectified pair whose principal points coincide.
 ///

@@ -5,10 +5,11 @@
 //! distance and keep its spread symmetric; x divides, and where its σ is not small the distance has a long far side. That
 //! is why [`Model::interval`] is the honest answer and [`Model::relative_sigma`] its small-σ limit.
 
+use crate::arithmetic::{root_sum_of_squares, times_over};
 use crate::field::Field;
 use crate::judge::{self, Term, Unsolvable};
-use crate::measured::{Measured, root_sum_of_squares};
-use crate::quantity::{Length, Pixels, times_over};
+use crate::measured::Measured;
+use crate::quantity::{Length, Pixels};
 
 /// The relative σ of the divisor up to which the first-order σ can be trusted: 10 %.
 ///
