@@ -35,3 +35,9 @@ pub(crate) fn root_sum_of_squares(terms: &[f64]) -> f64 {
     let sum: f64 = terms.iter().map(|term| (term / largest) * (term / largest)).sum();
     largest * sum.sqrt()
 }
+
+/// ln(a/b), also where a/b cannot be represented.
+pub(crate) fn log_ratio(a: f64, b: f64) -> f64 {
+    let ratio = a / b;
+    if ratio.is_normal() { ratio.ln() } else { a.ln() - b.ln() }
+}

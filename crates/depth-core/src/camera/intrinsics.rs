@@ -63,7 +63,7 @@ impl Intrinsics {
     }
 
     /// Diagonal field of view, 2·atan(√(W² + H²)/2f), with fx and a principal point in the middle: the inverse of
-    /// [`focal_length_from_field_of_view`] with the [diagonal].
+    /// [`focal_length_from_field_of_view`](super::focal_length_from_field_of_view) with the [diagonal].
     ///
     /// Source: pinhole projection of the image's corner.
     pub fn diagonal_view(&self) -> Angle {

@@ -1,0 +1,65 @@
+//! The draws.
+
+use super::distribution::{Distribution, count};
+use super::random::Normal;
+use crate::arithmetic::times_over;
+use crate::model::Model;
+
+/// A random experiment that can be carried out in pieces: the same model and seed give the same draws however they are cut
+/// up, and on every platform.
+#[derive(Clone, Debug)]
+pub struct MonteCarlo {
+    model: Model,
+    normal: Normal,
+    /// In metres, sorted.
+    finite: Vec<f64>,
+    infinite: u32,
+}
+
+impl MonteCarlo {
+    /// An experiment with no draws yet.
+    pub const fn new(model: Model, seed: u64) -> Self {
+        Self {
+            model,
+            normal: Normal::new(seed),
+            finite: Vec::new(),
+            infinite: 0,
+        }
+    }
+
+    /// Draws `n` times more.
+    pub fn draw(&mut self, n: u32) {
+        for _ in 0..n {
+            match self.distance() {
+                Some(distance) => self.finite.push(distance),
+                None => self.infinite = self.infinite.saturating_add(1),
+            }
+        }
+        // Sorted in each piece, no piece takes long: the stable sort finds what is in order already and merges it.
+        self.finite.sort_by(f64::total_cmp);
+    }
+
+    /// The number of draws so far.
+    pub fn drawn(&self) -> u32 {
+        count(self.finite.len()).saturating_add(self.infinite)
+    }
+
+    /// What the draws so far show.
+    pub fn distribution(&self) -> Distribution {
+        Distribution::of(&self.finite, self.infinite)
+    }
+
+    /// One draw in metres; `None` for infinitely far.
+    fn distance(&mut self) -> Option<f64> {
+        let focal_length = self.normal.draw(self.model.focal_length());
+        let length = self.normal.draw(self.model.length().1);
+        let divisor = self.normal.draw(self.model.divisor());
+        if divisor <= 0.0 {
+            None
+        } else if focal_length <= 0.0 || length <= 0.0 {
+            Some(0.0)
+        } else {
+            Some(times_over(focal_length, length, divisor)).filter(|z| z.is_finite())
+        }
+    }
+}
