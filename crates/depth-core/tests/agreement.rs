@@ -6,6 +6,7 @@ use depth_core::field::Field;
 use depth_core::measured::Measured;
 use depth_core::quantity::{Length, LengthUnit, Pixels, Quantity};
 use depth_core::uncertainty::Model;
+use depth_generators::{any_magnitude, any_relative_sigma};
 use proptest::prelude::*;
 
 const NO_DOFFS: Measured<Pixels> = Measured::exact(Pixels::new(0.0));
@@ -194,24 +195,12 @@ fn without_a_typical_factor_the_exact_and_the_vaguest_inputs_are_suspected() {
     assert_eq!(found, [Suspect::LargestSigma(Field::RealWidth)]);
 }
 
-fn any_magnitude() -> impl Strategy<Value = f64> {
-    (-300.0..300.0_f64).prop_map(|exponent| 10.0_f64.powf(exponent))
-}
-
-fn any_relative() -> impl Strategy<Value = f64> {
-    prop_oneof![
-        Just(0.0),
-        0.0..3.0_f64,
-        (-200.0..5.0_f64).prop_map(|exponent| 10.0_f64.powf(exponent))
-    ]
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
     fn the_combination_lies_between_and_is_never_vaguer_than_the_better_one(
-        z in [any_magnitude(), any_magnitude()], r in [any_relative(), any_relative()], rf in any_relative(),
+        z in [any_magnitude(), any_magnitude()], r in [any_relative_sigma(), any_relative_sigma()], rf in any_relative_sigma(),
     ) {
         let (first, second) = pair(z, r, rf);
         let Some(combined) = combine(&first, &second) else {
@@ -231,7 +220,7 @@ proptest! {
 
     #[test]
     fn the_comparison_is_finite_at_every_magnitude(
-        z in [any_magnitude(), any_magnitude()], r in [any_relative(), any_relative()], rf in any_relative(),
+        z in [any_magnitude(), any_magnitude()], r in [any_relative_sigma(), any_relative_sigma()], rf in any_relative_sigma(),
     ) {
         let (first, second) = pair(z, r, rf);
         let agreement = compare(&first, &second);

@@ -9,6 +9,7 @@ use depth_core::camera::{
 use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
 use depth_core::quantity::{Length, LengthUnit, Pixels};
+use depth_generators::any_sign_and_magnitude;
 use proptest::prelude::*;
 
 fn mm(value: f64) -> Length {
@@ -287,14 +288,6 @@ fn an_inch_of_a_sensor_format_is_about_16_mm_of_diagonal() {
     assert_eq!((name("Full frame").width_mm, name("Full frame").height_mm), (36.0, 24.0));
 }
 
-fn any_number() -> impl Strategy<Value = f64> {
-    prop_oneof![
-        (-300.0..300.0_f64).prop_map(|exponent| 10.0_f64.powf(exponent)),
-        (-300.0..300.0_f64).prop_map(|exponent| -10.0_f64.powf(exponent)),
-        Just(0.0),
-    ]
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
@@ -324,7 +317,7 @@ proptest! {
 
     #[test]
     fn every_result_is_finite_at_every_magnitude(
-        n in prop::array::uniform6(any_number()), z in any_number(), u in any_number(),
+        n in prop::array::uniform6(any_sign_and_magnitude()), z in any_sign_and_magnitude(), u in any_sign_and_magnitude(),
     ) {
         let [fx, fy, cx, cy, width, height] = n.map(px);
         let camera = Intrinsics { fx, fy, cx, cy, width, height };

@@ -3,8 +3,9 @@
 
 use depth_core::measured::Measured;
 use depth_core::monte_carlo::{BINS, Distribution, MonteCarlo};
-use depth_core::quantity::{Length, Pixels, Quantity};
+use depth_core::quantity::{Length, Pixels};
 use depth_core::uncertainty::Model;
+use depth_generators::any_measured;
 use proptest::prelude::*;
 
 const DRAWS: u32 = 200_000;
@@ -204,12 +205,6 @@ fn speed() {
         per_draw(drawn),
         per_draw(finished)
     );
-}
-
-fn any_measured<Q: Quantity + std::fmt::Debug>() -> impl Strategy<Value = Measured<Q>> {
-    let magnitude = || (-300.0..300.0_f64).prop_map(|exponent| 10.0_f64.powf(exponent));
-    (magnitude(), prop_oneof![Just(0.0), 0.0..3.0_f64], magnitude(), 0..4)
-        .prop_map(|(value, relative, anything, choice)| Measured::from_base(value, if choice == 0 { anything } else { value * relative }))
 }
 
 proptest! {

@@ -4,9 +4,10 @@
 use depth_core::field::Field;
 use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
-use depth_core::quantity::{Length, Pixels, Quantity};
+use depth_core::quantity::{Length, Pixels};
 use depth_core::stereo;
 use depth_core::uncertainty::{FIRST_ORDER_LIMIT, Model};
+use depth_generators::{any_model, ordinary_model};
 use proptest::prelude::*;
 
 const NO_DOFFS: Measured<Pixels> = Measured::exact(Pixels::new(0.0));
@@ -208,38 +209,6 @@ fn an_input_that_cannot_be_used_is_named() {
         make(f, b, Measured::from_base(-10.0, 0.0), Measured::from_base(60.0, 0.0)).is_ok(),
         "doffs may make up for it"
     );
-}
-
-/// Positive numbers of every magnitude from 1e-300 to 1e300.
-fn any_magnitude() -> impl Strategy<Value = f64> {
-    (-300.0..300.0_f64).prop_map(|exponent| 10.0_f64.powf(exponent))
-}
-
-/// σ: often 0, often of the value's size, sometimes anything.
-fn any_measured<Q: Quantity + std::fmt::Debug>() -> impl Strategy<Value = Measured<Q>> {
-    (any_magnitude(), prop_oneof![Just(0.0), 0.0..3.0_f64], any_magnitude(), 0..4)
-        .prop_map(|(value, relative, anything, choice)| Measured::from_base(value, if choice == 0 { anything } else { value * relative }))
-}
-
-fn any_model() -> impl Strategy<Value = Result<Model, Unsolvable>> {
-    prop_oneof![
-        (any_measured(), any_measured(), any_measured(), any_measured()).prop_map(|(f, b, d, o)| Model::stereo(f, b, d, o)),
-        (any_measured(), any_measured(), any_measured()).prop_map(|(f, w, p)| Model::monocular(f, w, p)),
-    ]
-}
-
-/// Ordinary magnitudes, with every σ up to three times its value.
-fn ordinary_model() -> impl Strategy<Value = Model> {
-    fn measured<Q: Quantity + std::fmt::Debug>(range: std::ops::Range<f64>) -> impl Strategy<Value = Measured<Q>> {
-        (range, prop_oneof![Just(0.0), 0.0..0.2, 0.0..3.0]).prop_map(|(value, r)| Measured::from_base(value, value * r))
-    }
-    (
-        measured(100.0..5000.0),
-        measured(0.01..5.0),
-        measured(0.5..500.0),
-        measured(0.1..100.0),
-    )
-        .prop_map(|(f, b, d, o)| Model::stereo(f, b, d, o).unwrap())
 }
 
 proptest! {

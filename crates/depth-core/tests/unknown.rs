@@ -6,6 +6,7 @@ use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
 use depth_core::quantity::Quantity;
 use depth_core::unknown::{MonocularEquation, StereoEquation};
+use depth_generators::any_measured;
 use proptest::prelude::*;
 
 /// The unknown in its base unit.
@@ -168,13 +169,6 @@ fn doffs_larger_than_the_shift_makes_the_disparity_negative() {
     assert!((disparity.value + 10.0).abs() < 1e-10);
 }
 
-fn any_magnitude() -> impl Strategy<Value = Measured<f64>> {
-    (-300.0..300.0_f64, prop_oneof![Just(0.0), 0.0..3.0_f64]).prop_map(|(exponent, relative)| {
-        let value = 10.0_f64.powf(exponent);
-        Measured::from_base(value, value * relative)
-    })
-}
-
 fn ordinary(range: std::ops::Range<f64>) -> impl Strategy<Value = Measured<f64>> {
     (range, 0.0..0.5_f64).prop_map(|(value, relative)| Measured::from_base(value, value * relative))
 }
@@ -198,7 +192,7 @@ proptest! {
 
     #[test]
     fn monocular_terms_come_back_or_are_refused_at_every_magnitude(
-        given in prop::array::uniform4(any_magnitude()),
+        given in prop::array::uniform4(any_measured()),
     ) {
         let Ok((_, z)) = monocular(given, 3) else { return Ok(()) };
         prop_assert!(z.value.is_normal() && z.sigma.is_finite());
@@ -213,7 +207,7 @@ proptest! {
 
     #[test]
     fn stereo_is_finite_or_refused_at_every_magnitude(
-        given in prop::array::uniform5(any_magnitude()), unknown in 0..5_usize,
+        given in prop::array::uniform5(any_measured()), unknown in 0..5_usize,
     ) {
         if let Ok((_, found)) = stereo(given, unknown) {
             prop_assert!(found.value.is_finite() && found.sigma.is_finite() && found.sigma >= 0.0);

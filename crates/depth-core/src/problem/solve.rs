@@ -21,11 +21,13 @@ impl Problem {
         let monocular = self.solve_method(Method::Monocular);
         // With the monocular distance the two widths would only repeat the input.
         let reference = stereo.distance().or(monocular.distance());
-        let estimated_width_px = match (self.focal_length, self.real_width, reference) {
+        let real_width = self.real_width.filter(|_| self.check(Field::RealWidth).is_ok());
+        let image_width = self.image_width.filter(|_| self.check(Field::ImageWidth).is_ok());
+        let estimated_width_px = match (self.focal_length, real_width, reference) {
             (Some(f), Some(w), Some(z)) => finite_px(monocular::width_in_image(f.value, w.value, z)),
             _ => None,
         };
-        let estimated_width = match (self.focal_length, self.image_width, reference) {
+        let estimated_width = match (self.focal_length, image_width, reference) {
             (Some(f), Some(w), Some(z)) => finite_length(monocular::real_width(f.value, w.value, z)),
             _ => None,
         };
