@@ -21,6 +21,22 @@ pub struct Budget {
 
 impl Budget {
     /// The shares, in reading order.
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// // 9 % and 16 % of 25 %; the baseline is exact.
+    /// let shares: Vec<f64> = mug.variance_budget().shares().iter().map(|share| (share.share * 100.0).round()).collect();
+    /// assert_eq!(shares, [36.0, 0.0, 64.0]);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     pub fn shares(&self) -> &[Share] {
         self.shares.get(..self.len).unwrap_or_default()
     }
@@ -45,6 +61,24 @@ impl<'a> IntoIterator for &'a Budget {
 
 impl Model {
     /// Which input is responsible for which part of the first-order variance. Doffs takes part where it has a σ.
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// let budget = mug.variance_budget();
+    /// // Doffs is exact and does not take part.
+    /// assert_eq!(budget.len(), 3);
+    /// // (4 %)²/(5 %)².
+    /// assert!((budget[2].share - 0.64).abs() < 1e-12);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     ///
     /// Source: JCGM 100:2008 (GUM), 5.1.3: each input's own term of the sum of squares.
     pub fn variance_budget(&self) -> Budget {

@@ -79,6 +79,13 @@ pub const LARGEST_RELATIVE_SIGMA: f64 = 1e150;
 
 impl Unsolvable {
     /// The term to look at; `None` for [`NotOneUnknown`](Self::NotOneUnknown).
+    ///
+    /// ```
+    /// use depth_core::judge::{Refusal, Term, Unsolvable};
+    ///
+    /// let error = Unsolvable::Value { term: Term::Pitch, refusal: Refusal::NotANumber };
+    /// assert_eq!(error.term(), Some(Term::Pitch));
+    /// ```
     pub const fn term(self) -> Option<Term> {
         match self {
             Self::Value { term, .. } | Self::Sigma { term } => Some(term),
@@ -89,6 +96,14 @@ impl Unsolvable {
     }
 
     /// The input to look at; `None` where the error is about something else.
+    ///
+    /// ```
+    /// use depth_core::field::Field;
+    /// use depth_core::judge::{Term, Unsolvable};
+    ///
+    /// assert_eq!(Unsolvable::Sigma { term: Term::Input(Field::Baseline) }.field(), Some(Field::Baseline));
+    /// assert_eq!(Unsolvable::Sigma { term: Term::Distance }.field(), None);
+    /// ```
     pub const fn field(self) -> Option<Field> {
         match self.term() {
             Some(Term::Input(field)) => Some(field),
@@ -107,6 +122,13 @@ impl Unsolvable {
 
 /// A finite number of either sign, or 0.
 ///
+/// ```
+/// use depth_core::judge::{Refusal, finite};
+///
+/// assert_eq!(finite(-40.0), Ok(-40.0));
+/// assert_eq!(finite(f64::INFINITY), Err(Refusal::TooExtreme));
+/// ```
+///
 /// # Errors
 /// [`Refusal::NotANumber`] or [`Refusal::TooExtreme`].
 pub const fn finite(value: f64) -> Result<f64, Refusal> {
@@ -120,6 +142,14 @@ pub const fn finite(value: f64) -> Result<f64, Refusal> {
 }
 
 /// A positive, finite and normal number.
+///
+/// ```
+/// use depth_core::judge::{Refusal, positive};
+///
+/// assert_eq!(positive(50.0), Ok(50.0));
+/// assert_eq!(positive(0.0), Err(Refusal::Zero));
+/// assert_eq!(positive(-50.0), Err(Refusal::Negative));
+/// ```
 ///
 /// # Errors
 /// [`Refusal`].

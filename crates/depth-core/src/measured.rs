@@ -14,16 +14,39 @@ pub struct Measured<Q> {
 
 impl<Q: Quantity> Measured<Q> {
     /// A value with its standard deviation.
+    ///
+    /// ```
+    /// use depth_core::measured::Measured;
+    /// use depth_core::quantity::Pixels;
+    ///
+    /// let d = Measured::new(Pixels::new(50.0), Pixels::new(0.5));
+    /// assert_eq!(d.sigma.px(), 0.5);
+    /// ```
     pub const fn new(value: Q, sigma: Q) -> Self {
         Self { value, sigma }
     }
 
     /// A value taken to be exact.
+    ///
+    /// ```
+    /// use depth_core::measured::Measured;
+    /// use depth_core::quantity::Length;
+    ///
+    /// assert_eq!(Measured::exact(Length::from_m(0.1)).sigma.m(), 0.0);
+    /// ```
     pub const fn exact(value: Q) -> Self {
         Self { value, sigma: Q::ZERO }
     }
 
     /// A value with its standard deviation, both in the base unit of the quantity (metres, pixels, radians).
+    ///
+    /// ```
+    /// use depth_core::measured::Measured;
+    /// use depth_core::quantity::Length;
+    ///
+    /// let b: Measured<Length> = Measured::from_base(0.1, 0.0005);
+    /// assert_eq!(b.value, Length::from_m(0.1));
+    /// ```
     pub fn from_base(value: f64, sigma: f64) -> Self {
         Self {
             value: Q::from_base(value),
@@ -32,6 +55,14 @@ impl<Q: Quantity> Measured<Q> {
     }
 
     /// The two numbers, in the base unit of the quantity.
+    ///
+    /// ```
+    /// use depth_core::measured::Measured;
+    /// use depth_core::quantity::{Length, LengthUnit};
+    ///
+    /// let b = Measured::exact(Length::new(100.0, LengthUnit::Millimetre));
+    /// assert_eq!(b.to_base(), Measured::new(0.1, 0.0));
+    /// ```
     pub fn to_base(self) -> Measured<f64> {
         Measured {
             value: self.value.to_base(),
@@ -41,6 +72,12 @@ impl<Q: Quantity> Measured<Q> {
 
     /// σ as a fraction of the value: 0 for an exact value, and never more than [`f64::MAX`] (which stands for a σ beside
     /// a value of 0).
+    ///
+    /// ```
+    /// use depth_core::measured::Measured;
+    ///
+    /// assert_eq!(Measured::new(50.0, 0.5).relative(), 0.01);
+    /// ```
     pub fn relative(self) -> f64 {
         let Measured { value, sigma } = self.to_base();
         if sigma == 0.0 { 0.0 } else { (sigma / value.abs()).min(f64::MAX) }

@@ -17,6 +17,12 @@ impl Method {
     pub const ALL: [Self; 2] = [Self::Stereo, Self::Monocular];
 
     /// The inputs of the method, in reading order.
+    ///
+    /// ```
+    /// use depth_core::problem::{Field, Method};
+    ///
+    /// assert_eq!(Method::Stereo.fields(), [Field::FocalLength, Field::Baseline, Field::Disparity]);
+    /// ```
     pub const fn fields(self) -> [Field; 3] {
         match self {
             Self::Stereo => [Field::FocalLength, Field::Baseline, Field::Disparity],
@@ -25,6 +31,12 @@ impl Method {
     }
 
     /// The inputs that only this method uses: filling one of them means that the person wants this method.
+    ///
+    /// ```
+    /// use depth_core::problem::{Field, Method};
+    ///
+    /// assert_eq!(Method::Monocular.own_fields(), [Field::ImageWidth, Field::RealWidth]);
+    /// ```
     pub const fn own_fields(self) -> [Field; 2] {
         match self {
             Self::Stereo => [Field::Baseline, Field::Disparity],
@@ -33,6 +45,12 @@ impl Method {
     }
 
     /// "Stereo" or "Monocular".
+    ///
+    /// ```
+    /// use depth_core::problem::Method;
+    ///
+    /// assert_eq!(Method::Stereo.name(), "Stereo");
+    /// ```
     pub const fn name(self) -> &'static str {
         match self {
             Self::Stereo => "Stereo",
@@ -41,6 +59,12 @@ impl Method {
     }
 
     /// The formula with its symbols.
+    ///
+    /// ```
+    /// use depth_core::problem::Method;
+    ///
+    /// assert_eq!(Method::Stereo.formula(), "D = fx · b / d");
+    /// ```
     pub const fn formula(self) -> &'static str {
         match self {
             Self::Stereo => "D = fx · b / d",

@@ -25,6 +25,20 @@ impl Model {
     /// Stereo, Z = f·b/(d + δ): `focal_length`, `disparity` and `doffs` (0 where the principal points coincide) in pixels
     /// of the same image.
     ///
+    /// ```
+    /// use depth_core::measured::Measured;
+    /// use depth_core::uncertainty::Model;
+    ///
+    /// let model = Model::stereo(
+    ///     Measured::from_base(700.0, 2.0),
+    ///     Measured::from_base(0.1, 0.0005),
+    ///     Measured::from_base(50.0, 0.5),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// assert_eq!(model.depth().m(), 1.4);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Unsolvable`] names the first input that cannot be used.
     pub fn stereo(
@@ -45,6 +59,19 @@ impl Model {
     }
 
     /// Monocular, Z = w_real·f/w_img: `focal_length` and `image_width` in pixels of the same image.
+    ///
+    /// ```
+    /// use depth_core::measured::Measured;
+    /// use depth_core::uncertainty::Model;
+    ///
+    /// let model = Model::monocular(
+    ///     Measured::from_base(950.0, 2.0),
+    ///     Measured::from_base(0.9, 0.01),
+    ///     Measured::from_base(200.0, 2.0),
+    /// )?;
+    /// assert_eq!(model.depth().m(), 4.275);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     ///
     /// # Errors
     /// [`Unsolvable`] names the first input that cannot be used.
@@ -84,6 +111,20 @@ impl Model {
     }
 
     /// The distance.
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// assert_eq!(mug.depth().m(), 1.4);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     pub fn depth(&self) -> Length {
         Length::from_m(times_over(
             self.focal_length.value.px(),
@@ -99,6 +140,21 @@ impl Model {
     ///
     /// Poor where [`first_order_is_good`](Self::first_order_is_good) is false.
     ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// // √(3² + 4²) = 5.
+    /// assert!((mug.relative_sigma() - 0.05).abs() < 1e-12);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
+    ///
     /// Source: JCGM 100:2008 (GUM), 5.1.6, for a product of powers ±1; without σ_f and σ_b it is the familiar
     /// ΔZ = Z²·Δd/(f·b) of ROS stereo_msgs/DisparityImage.
     pub fn relative_sigma(&self) -> f64 {
@@ -106,21 +162,79 @@ impl Model {
     }
 
     /// f.
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// assert_eq!(mug.focal_length().value.px(), 700.0);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     pub const fn focal_length(&self) -> Measured<Pixels> {
         self.focal_length
     }
 
     /// The baseline or the real width, and which of the two it is.
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// let (source, length) = mug.length();
+    /// assert_eq!((source, length.value.m()), (depth_core::field::Field::Baseline, 0.1));
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     pub const fn length(&self) -> (Field, Measured<Length>) {
         (self.length_source, self.length)
     }
 
     /// The disparity (without doffs) or the width in the image, and which of the two it is.
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// let (source, pixels) = mug.pixels();
+    /// assert_eq!((source, pixels.value.px()), (depth_core::field::Field::Disparity, 50.0));
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     pub const fn pixels(&self) -> (Field, Measured<Pixels>) {
         (self.pixels_source, self.pixels)
     }
 
     /// What the product of focal length and length is divided by: d + δ, or w_img.
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// assert_eq!(mug.divisor().value.px(), 50.0);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     pub fn divisor(&self) -> Measured<Pixels> {
         self.pixels.plus(self.doffs)
     }

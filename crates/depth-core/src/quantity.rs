@@ -54,11 +54,23 @@ pub struct Length(f64);
 
 impl Length {
     /// A length of `metres` metres.
+    ///
+    /// ```
+    /// use depth_core::quantity::{Length, LengthUnit};
+    ///
+    /// assert_eq!(Length::from_m(0.1).in_unit(LengthUnit::Centimetre), 10.0);
+    /// ```
     pub const fn from_m(metres: f64) -> Self {
         Self(metres)
     }
 
     /// A length of `value` in `unit`.
+    ///
+    /// ```
+    /// use depth_core::quantity::{Length, LengthUnit};
+    ///
+    /// assert_eq!(Length::new(100.0, LengthUnit::Millimetre).m(), 0.1);
+    /// ```
     pub fn new(value: f64, unit: LengthUnit) -> Self {
         Self(match unit {
             // Dividing by a power of ten rounds once, so that 100 mm is exactly the f64 nearest to 0.1.
@@ -71,11 +83,23 @@ impl Length {
     }
 
     /// This length in metres.
+    ///
+    /// ```
+    /// use depth_core::quantity::{Length, LengthUnit};
+    ///
+    /// assert_eq!(Length::new(1.0, LengthUnit::Foot).m(), 0.3048);
+    /// ```
     pub const fn m(self) -> f64 {
         self.0
     }
 
     /// This length as a number of `unit`.
+    ///
+    /// ```
+    /// use depth_core::quantity::{Length, LengthUnit};
+    ///
+    /// assert_eq!(Length::from_m(0.0254).in_unit(LengthUnit::Inch), 1.0);
+    /// ```
     pub fn in_unit(self, unit: LengthUnit) -> f64 {
         match unit {
             LengthUnit::Millimetre => self.0 * 1000.0,
@@ -98,11 +122,23 @@ pub struct Pixels(f64);
 
 impl Pixels {
     /// `value` pixels.
+    ///
+    /// ```
+    /// use depth_core::quantity::Pixels;
+    ///
+    /// assert!(Pixels::new(50.0) < Pixels::new(51.0));
+    /// ```
     pub const fn new(value: f64) -> Self {
         Self(value)
     }
 
     /// The number of pixels.
+    ///
+    /// ```
+    /// use depth_core::quantity::Pixels;
+    ///
+    /// assert_eq!(Pixels::new(700.0).px(), 700.0);
+    /// ```
     pub const fn px(self) -> f64 {
         self.0
     }
@@ -134,6 +170,12 @@ impl LengthUnit {
     pub const ALL: [Self; 5] = [Self::Millimetre, Self::Centimetre, Self::Metre, Self::Inch, Self::Foot];
 
     /// The unit's symbol, as written after a number.
+    ///
+    /// ```
+    /// use depth_core::quantity::LengthUnit;
+    ///
+    /// assert_eq!(LengthUnit::Inch.symbol(), "in");
+    /// ```
     pub const fn symbol(self) -> &'static str {
         match self {
             Self::Millimetre => "mm",
@@ -145,6 +187,12 @@ impl LengthUnit {
     }
 
     /// The unit's name in the plural, as read aloud.
+    ///
+    /// ```
+    /// use depth_core::quantity::LengthUnit;
+    ///
+    /// assert_eq!(LengthUnit::Foot.name(), "feet");
+    /// ```
     pub const fn name(self) -> &'static str {
         match self {
             Self::Millimetre => "millimetres",

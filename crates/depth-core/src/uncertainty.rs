@@ -28,6 +28,23 @@ pub struct Interval {
 
 impl Model {
     /// The distance with its first-order σ.
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// // 5 % of 1.4 m.
+    /// let distance = mug.depth_with_sigma();
+    /// assert_eq!(distance.value.m(), 1.4);
+    /// assert!((distance.sigma.m() - 0.07).abs() < 1e-12);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     pub fn depth_with_sigma(&self) -> Measured<Length> {
         let depth = self.depth().m();
         Measured::from_base(depth, depth * self.relative_sigma())
@@ -35,6 +52,21 @@ impl Model {
 
     /// σ_Z/Z to first order with the focal length taken to be exact: what this distance does not share with another one
     /// that was computed from the same focal length.
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// // The 3 % of the focal length do not count.
+    /// assert!((mug.own_relative_sigma() - 0.04).abs() < 1e-12);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     pub fn own_relative_sigma(&self) -> f64 {
         root_sum_of_squares(&[self.length().1.relative(), self.relative_divisor_sigma()])
     }
@@ -45,6 +77,18 @@ impl Model {
     /// Z·(1 ± √(rk² + rx² − rk²·rx²))/(1 − rx²) with rk the relative σ of f·L (rk² = σ_f²/f² + σ_L²/L²) and rx that of the
     /// divisor. There is no upper bound once rx ≥ 1: the divisor may then be 0. The near end is 0 once rk ≥ 1. With rk = 0
     /// it is the interval of the distances at x + σ and x − σ.
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// # let exact = |px: f64| Measured::from_base(px, 0.0);
+    /// // Only the disparity is uncertain: the distances at 50 + 20 and 50 − 15 px.
+    /// let at = |sigma| Model::stereo(exact(700.0), Measured::from_base(0.1, 0.0), Measured::from_base(50.0, sigma), exact(0.0));
+    /// assert!((at(20.0)?.interval().near.m() - 1.0).abs() < 1e-12);
+    /// assert!((at(15.0)?.interval().far.unwrap().m() - 2.0).abs() < 1e-12);
+    /// assert_eq!(at(50.0)?.interval().far, None);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     ///
     /// Source: E. C. Fieller, Some problems in interval estimation, Journal of the Royal Statistical Society B 16 (1954),
     /// for the ratio of two independent normal variables; f·L is taken to be normal.
@@ -72,11 +116,40 @@ impl Model {
     }
 
     /// The relative σ of the divisor: √(σ_d² + σ_δ²)/(d + δ), or σ_p/w_img.
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// assert_eq!(mug.relative_divisor_sigma(), 0.04);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     pub fn relative_divisor_sigma(&self) -> f64 {
         self.divisor().relative()
     }
 
     /// Whether the first-order σ can be trusted: the divisor is known to [10 %](FIRST_ORDER_LIMIT) or better.
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// // 4 % are less than 10 %.
+    /// assert!(mug.first_order_is_good());
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     pub fn first_order_is_good(&self) -> bool {
         self.relative_divisor_sigma() <= FIRST_ORDER_LIMIT
     }
@@ -87,6 +160,21 @@ impl Model {
     /// `None` above rx = 1/3, where the next term of the series, 3·rx⁴, is more than a third of this one. (It is an
     /// asymptotic series: strictly the mean of 1/x does not exist for a normal x.)
     ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// // (4 %)².
+    /// assert!((mug.relative_bias().unwrap() - 0.0016).abs() < 1e-12);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
+    ///
     /// Source: G. Sibley, L. Matthies, G. Sukhatme, Bias reduction and filter convergence for long range stereo, ISRR
     /// 2005; second-order Taylor series of 1/x.
     pub fn relative_bias(&self) -> Option<f64> {
@@ -95,6 +183,21 @@ impl Model {
     }
 
     /// [`relative_bias`](Self::relative_bias) as a length.
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// // 0.16 % of 1.4 m.
+    /// assert!((mug.bias().unwrap().m() - 0.00224).abs() < 1e-12);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     pub fn bias(&self) -> Option<Length> {
         Some(Length::from_m(self.relative_bias()? * self.depth().m()))
     }
@@ -127,6 +230,20 @@ impl Uncertainty {
     }
 
     /// The input that causes the largest part of the variance.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// mug.set_sigma(Field::FocalLength, 21.0);
+    /// mug.set_sigma(Field::Disparity, 2.0);
+    /// // (4 %)² of (5 %)².
+    /// let cause = mug.solve().stereo_uncertainty.unwrap().main_cause().unwrap();
+    /// assert_eq!(cause.source, Field::Disparity);
+    /// assert!((cause.share - 0.64).abs() < 1e-12);
+    /// ```
     pub fn main_cause(&self) -> Option<Share> {
         self.budget.iter().copied().max_by(|a, b| a.share.total_cmp(&b.share))
     }

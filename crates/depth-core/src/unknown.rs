@@ -27,6 +27,14 @@ pub enum Found {
 
 impl Found {
     /// Which term it is.
+    ///
+    /// ```
+    /// use depth_core::judge::Term;
+    /// use depth_core::measured::Measured;
+    /// use depth_core::unknown::Found;
+    ///
+    /// assert_eq!(Found::Distance(Measured::from_base(1.4, 0.0)).term(), Term::Distance);
+    /// ```
     pub const fn term(self) -> Term {
         match self {
             Self::FocalLength(_) => Term::Input(Field::FocalLength),
@@ -40,6 +48,13 @@ impl Found {
     }
 
     /// Its value and σ in the base unit (px or metres).
+    ///
+    /// ```
+    /// use depth_core::measured::Measured;
+    /// use depth_core::unknown::Found;
+    ///
+    /// assert_eq!(Found::Distance(Measured::from_base(1.4, 0.1)).to_base(), Measured::new(1.4, 0.1));
+    /// ```
     pub fn to_base(self) -> Measured<f64> {
         match self {
             Self::FocalLength(pixels) | Self::Disparity(pixels) | Self::Doffs(pixels) | Self::ImageWidth(pixels) => pixels.to_base(),
@@ -79,6 +94,23 @@ pub struct MonocularEquation {
 impl StereoEquation {
     /// The unknown and its value, with its σ to first order.
     ///
+    /// ```
+    /// use depth_core::measured::Measured;
+    /// use depth_core::unknown::{Found, StereoEquation};
+    ///
+    /// // At what disparity does something 2 m away appear?
+    /// let found = StereoEquation {
+    ///     focal_length: Some(Measured::from_base(700.0, 0.0)),
+    ///     baseline: Some(Measured::from_base(0.1, 0.0)),
+    ///     disparity: None,
+    ///     doffs: Some(Measured::from_base(0.0, 0.0)),
+    ///     distance: Some(Measured::from_base(2.0, 0.0)),
+    /// }
+    /// .solve()?;
+    /// assert_eq!(found, Found::Disparity(Measured::from_base(35.0, 0.0)));
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Unsolvable`] says which term to look at.
     ///
@@ -102,6 +134,22 @@ impl StereoEquation {
 
 impl MonocularEquation {
     /// The unknown and its value, with its σ to first order.
+    ///
+    /// ```
+    /// use depth_core::measured::Measured;
+    /// use depth_core::unknown::{Found, MonocularEquation};
+    ///
+    /// // A photograph of 0.5 m at 2 m, 175 px wide: f = 175 px · 2 m / 0.5 m.
+    /// let found = MonocularEquation {
+    ///     focal_length: None,
+    ///     real_width: Some(Measured::from_base(0.5, 0.0)),
+    ///     image_width: Some(Measured::from_base(175.0, 0.0)),
+    ///     distance: Some(Measured::from_base(2.0, 0.0)),
+    /// }
+    /// .solve()?;
+    /// assert_eq!(found, Found::FocalLength(Measured::from_base(700.0, 0.0)));
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     ///
     /// # Errors
     /// [`Unsolvable`] says which term to look at.

@@ -14,6 +14,21 @@ use crate::quantity::Length;
 ///
 /// Both models must have the same focal length; r_f is taken from `first`.
 ///
+/// ```
+/// use depth_core::agreement::combine;
+/// # use depth_core::measured::Measured;
+/// # use depth_core::uncertainty::Model;
+/// # let exact = |px: f64| Measured::from_base(px, 0.0);
+/// let stereo = Model::stereo(exact(700.0), Measured::from_base(0.1, 0.0), Measured::from_base(50.0, 2.0), exact(0.0))?;
+/// let monocular = Model::monocular(exact(700.0), Measured::from_base(0.3, 0.0), Measured::from_base(150.0, 6.0))?;
+///
+/// // 1.4 m twice, each to 4 %: one distance to 4 %/√2.
+/// let combined = combine(&stereo, &monocular).unwrap();
+/// assert!((combined.value.m() - 1.4).abs() < 1e-12);
+/// assert!((combined.relative() - 0.04 / 2.0_f64.sqrt()).abs() < 1e-12);
+/// # Ok::<(), depth_core::judge::Unsolvable>(())
+/// ```
+///
 /// Source: weighted least squares (Gauss–Markov) for two measurements of ln Z with a common error, with the weights of
 /// the independent parts, which keeps the result between the two where the optimal weights may not (R. W. Peelle's
 /// puzzle, 1987).

@@ -27,6 +27,12 @@ pub enum Verdict {
 
 impl Verdict {
     /// The verdict on a difference of `z` standard deviations.
+    ///
+    /// ```
+    /// use depth_core::agreement::Verdict;
+    ///
+    /// assert_eq!(Verdict::of(2.5), Verdict::Doubtful);
+    /// ```
     pub fn of(z: f64) -> Self {
         if z <= 2.0 {
             Self::Agree
@@ -41,6 +47,21 @@ impl Verdict {
 /// Compares two distances that were computed from the same focal length.
 ///
 /// z = |ln(Z₁/Z₂)|/√(r₁² + r₂²) with the relative σ of each without the focal length, which both share.
+///
+/// ```
+/// use depth_core::agreement::{Verdict, compare};
+/// # use depth_core::measured::Measured;
+/// # use depth_core::uncertainty::Model;
+/// # let exact = |px: f64| Measured::from_base(px, 0.0);
+/// let stereo = Model::stereo(exact(700.0), Measured::from_base(0.1, 0.0), Measured::from_base(50.0, 2.0), exact(0.0))?;
+/// let monocular = Model::monocular(exact(700.0), Measured::from_base(0.6, 0.0), Measured::from_base(150.0, 6.0))?;
+///
+/// // 1.4 m and 2.8 m, each to 4 %: ln 2 is 12 times 4 %·√2.
+/// let agreement = compare(&stereo, &monocular);
+/// assert_eq!(agreement.verdict, Some(Verdict::Disagree));
+/// assert!((agreement.z.unwrap() - 12.25).abs() < 0.01);
+/// # Ok::<(), depth_core::judge::Unsolvable>(())
+/// ```
 ///
 /// Source: the ζ score of ISO 13528 (difference over its standard uncertainty, with its limits 2 and 3), here of the
 /// logarithms, because both distances are products.

@@ -44,6 +44,22 @@ const BLUNDER_TOLERANCE: f64 = 0.08;
 /// What to look at where two distances that were computed from the same focal length disagree, likeliest first: blunders
 /// that would explain their ratio, inputs that claim to be exact, the vaguest input. Empty where they
 /// [agree](Verdict::Agree). The focal length is never a suspect: it cancels.
+///
+/// ```
+/// use depth_core::agreement::{Suspect, suspects};
+/// use depth_core::problem::Field;
+/// # use depth_core::measured::Measured;
+/// # use depth_core::uncertainty::Model;
+/// # let exact = |px: f64| Measured::from_base(px, 0.0);
+/// let stereo = Model::stereo(exact(700.0), Measured::from_base(0.1, 0.0), Measured::from_base(50.0, 2.0), exact(0.0))?;
+/// let monocular = Model::monocular(exact(700.0), Measured::from_base(0.6, 0.0), Measured::from_base(150.0, 6.0))?;
+///
+/// // The monocular distance is twice the stereo one, as if its pixels were those of an image half as large.
+/// let found = suspects(&stereo, &monocular);
+/// assert!(found.contains(&Suspect::Resized { source: Field::ImageWidth, times: 0.5 }));
+/// assert!(found.contains(&Suspect::NoSigma(Field::RealWidth)));
+/// # Ok::<(), depth_core::judge::Unsolvable>(())
+/// ```
 pub fn suspects(first: &Model, second: &Model) -> Vec<Suspect> {
     let log_ratio = log_ratio(first.depth().m(), second.depth().m());
     if compare(first, second).verdict == Some(Verdict::Agree) || log_ratio.abs() < 1e-12 {

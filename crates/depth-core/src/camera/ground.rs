@@ -66,6 +66,24 @@ impl GroundView {
     /// Horizontal distance to the point with its σ to first order: D = h/tan(θ + atan((v − cy)/fy)), with
     /// dD/dh = D/h, dD/dθ = −(D² + h²)/h and dD/dv = dD/dθ·fy/(fy² + (v − cy)²).
     ///
+    /// ```
+    /// # use depth_core::angle::Angle;
+    /// # use depth_core::camera::GroundView;
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::quantity::{Length, Pixels};
+    /// let view = GroundView {
+    ///     height: Measured::new(Length::from_m(1.5), Length::from_m(0.1)),
+    ///     pitch: Measured::exact(Angle::from_degrees(0.0)),
+    ///     row: Measured::exact(Pixels::new(1050.0)),
+    ///     fy: Pixels::new(700.0),
+    ///     cy: Pixels::new(350.0),
+    /// };
+    /// // A slope of 45°: as far as the camera is high, and as well known.
+    /// let distance = view.distance().unwrap();
+    /// assert!((distance.value.m() - 1.5).abs() < 1e-12);
+    /// assert!((distance.sigma.m() - 0.1).abs() < 1e-12);
+    /// ```
+    ///
     /// # Errors
     /// [`Unsolvable`].
     ///
@@ -101,6 +119,22 @@ impl GroundView {
 
     /// The row at which the floor ends, v = cy − fy·tan θ; `None` where the camera looks straight down or the numbers are
     /// unusable.
+    ///
+    /// ```
+    /// # use depth_core::angle::Angle;
+    /// # use depth_core::camera::GroundView;
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::quantity::{Length, Pixels};
+    /// let view = GroundView {
+    ///     height: Measured::new(Length::from_m(1.5), Length::from_m(0.1)),
+    ///     pitch: Measured::exact(Angle::from_degrees(0.0)),
+    ///     row: Measured::exact(Pixels::new(1050.0)),
+    ///     fy: Pixels::new(700.0),
+    ///     cy: Pixels::new(350.0),
+    /// };
+    /// // The camera is level: the horizon goes through the principal point.
+    /// assert_eq!(view.horizon_row(), Some(Pixels::new(350.0)));
+    /// ```
     ///
     /// Source: the row of [`distance`](Self::distance) whose ray is horizontal.
     pub fn horizon_row(&self) -> Option<Pixels> {

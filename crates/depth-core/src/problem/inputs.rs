@@ -41,11 +41,31 @@ impl Default for Problem {
 
 impl Problem {
     /// The value of `field` in its base unit (px or metres).
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// assert_eq!(mug.get(Field::Disparity), Some(50.0));
+    /// assert_eq!(mug.get(Field::RealWidth), None);
+    /// ```
     pub fn get(&self, field: Field) -> Option<f64> {
         self.measured(field).map(|input| input.value)
     }
 
     /// Sets `field` to `value` in its base unit (px or metres). Its σ stays; without a value there is none, but that of doffs.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// mug.set(Field::Disparity, None);
+    /// assert_eq!(mug.disparity, None);
+    /// ```
     pub fn set(&mut self, field: Field, value: Option<f64>) {
         let sigma = self.sigma(field);
         match field {
@@ -63,6 +83,15 @@ impl Problem {
 
     /// σ of `field` in its base unit (px or metres): 0 where none was given. That of doffs without a value belongs to an
     /// offset of 0.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// assert_eq!(mug.sigma(Field::Disparity), 0.0);
+    /// ```
     pub fn sigma(&self, field: Field) -> f64 {
         match (field, self.measured(field)) {
             (_, Some(input)) => input.sigma,
@@ -72,6 +101,19 @@ impl Problem {
     }
 
     /// Sets σ of `field` in its base unit (px or metres), 0 for none. Without a value only doffs can have one.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// mug.set_sigma(Field::Disparity, 0.5);
+    /// assert_eq!(mug.disparity.unwrap().sigma.px(), 0.5);
+    /// // A real width that is not known has no σ either.
+    /// mug.set_sigma(Field::RealWidth, 0.01);
+    /// assert_eq!(mug.sigma(Field::RealWidth), 0.0);
+    /// ```
     pub fn set_sigma(&mut self, field: Field, sigma: f64) {
         fn give<Q: Quantity>(input: &mut Option<Measured<Q>>, sigma: f64) {
             if let Some(input) = input {
@@ -90,6 +132,16 @@ impl Problem {
     }
 
     /// The same inputs, taken to be exact.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// mug.set_sigma(Field::Disparity, 0.5);
+    /// assert_eq!(mug.without_sigmas().sigma(Field::Disparity), 0.0);
+    /// ```
     #[must_use]
     pub fn without_sigmas(mut self) -> Self {
         for field in Field::ALL {
@@ -99,6 +151,16 @@ impl Problem {
     }
 
     /// The value of `field` with its σ, in its base unit (px or metres).
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// mug.set_sigma(Field::Baseline, 0.0005);
+    /// assert_eq!(mug.measured(Field::Baseline), Some(depth_core::measured::Measured::new(0.1, 0.0005)));
+    /// ```
     pub fn measured(&self, field: Field) -> Option<Measured<f64>> {
         match field {
             Field::FocalLength => self.focal_length.map(Measured::to_base),
@@ -111,17 +173,49 @@ impl Problem {
     }
 
     /// δ with its σ, as it enters the formula: 0 where none was given.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// assert_eq!(mug.offset().value.px(), 0.0);
+    /// mug.set(Field::Doffs, Some(40.0));
+    /// assert_eq!(mug.offset().value.px(), 40.0);
+    /// ```
     pub fn offset(&self) -> Measured<Pixels> {
         self.doffs.unwrap_or(Measured::new(Pixels::ZERO, self.coincidence_sigma))
     }
 
     /// d + δ: the disparity as it enters the formula. Its sign decides whether the object is in front of the cameras.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// mug.set(Field::Doffs, Some(40.0));
+    /// assert_eq!(mug.effective_disparity().unwrap().px(), 90.0);
+    /// ```
     pub fn effective_disparity(&self) -> Option<Pixels> {
         Some(Pixels::new(self.disparity?.value.px() + self.offset().value.px()))
     }
 
     /// Checks that the value of `field`, if it has one, can be used: positive, finite and normal. A disparity is judged
     /// together with doffs, which itself may be any finite number.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// assert_eq!(mug.check(Field::Disparity), Ok(()));
+    /// mug.set(Field::Doffs, Some(-50.0));
+    /// assert_eq!(mug.check(Field::Disparity), Err(depth_core::problem::Refusal::Zero));
+    /// ```
     ///
     /// # Errors
     /// What is wrong with it.
@@ -138,6 +232,18 @@ impl Problem {
     }
 
     /// Whether the value of `field` lies in its [usual range](Field::usual_range); true where there is none.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// assert!(mug.is_usual(Field::Baseline));
+    /// // 100 mm taken for meters.
+    /// mug.set(Field::Baseline, Some(100.0));
+    /// assert!(!mug.is_usual(Field::Baseline));
+    /// ```
     pub fn is_usual(&self, field: Field) -> bool {
         let value = match field {
             Field::Disparity => self.effective_disparity().map(Pixels::px),

@@ -27,6 +27,15 @@ pub enum Outcome {
 
 impl Outcome {
     /// The distance, where there is one.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// assert_eq!(mug.solve().stereo.distance().unwrap().m(), 1.4);
+    /// ```
     pub const fn distance(self) -> Option<Length> {
         match self {
             Self::Distance(distance) => Some(distance),
@@ -69,6 +78,17 @@ pub struct Solution {
 
 impl Solution {
     /// The outcome of `method`.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// use depth_core::problem::{Method, Outcome};
+    ///
+    /// assert_eq!(mug.solve().outcome(Method::Monocular), Outcome::Incomplete);
+    /// ```
     pub const fn outcome(&self, method: Method) -> Outcome {
         match method {
             Method::Stereo => self.stereo,
@@ -77,6 +97,20 @@ impl Solution {
     }
 
     /// How sure one can be of the distance of `method`.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// use depth_core::problem::Method;
+    ///
+    /// assert!(mug.solve().uncertainty(Method::Stereo).is_none());
+    /// // 2 %.
+    /// mug.set_sigma(Field::Disparity, 1.0);
+    /// assert!((mug.solve().uncertainty(Method::Stereo).unwrap().sigma.m() - 0.028).abs() < 1e-12);
+    /// ```
     pub const fn uncertainty(&self, method: Method) -> Option<&Uncertainty> {
         match method {
             Method::Stereo => self.stereo_uncertainty.as_ref(),
@@ -86,6 +120,23 @@ impl Solution {
 
     /// What to look at where both distances disagree, likeliest first; empty where they agree. Worked out on demand, because
     /// few want it: [`agreement::suspects`].
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// use depth_core::agreement::Suspect;
+    ///
+    /// // 16 times too many pixels: 0.0875 m against 1.4 m.
+    /// mug.set(Field::Disparity, Some(800.0));
+    /// mug.set(Field::ImageWidth, Some(150.0));
+    /// mug.set(Field::RealWidth, Some(0.3));
+    /// mug.set_sigma(Field::Disparity, 8.0);
+    /// mug.set_sigma(Field::ImageWidth, 2.0);
+    /// assert_eq!(mug.solve().suspects().first(), Some(&Suspect::RawDisparity { scale: 16.0 }));
+    /// ```
     pub fn suspects(&self) -> Vec<Suspect> {
         match (&self.stereo_uncertainty, &self.monocular_uncertainty) {
             (Some(stereo), Some(monocular)) => agreement::suspects(&stereo.model, &monocular.model),
@@ -95,6 +146,18 @@ impl Solution {
 
     /// The stereo distances with the disparity one pixel larger (nearer) and one smaller; the second is `None` where the
     /// object would be infinitely far away. `None` as a whole without a stereo distance.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// // 70/51 and 70/49.
+    /// let (near, far) = mug.solve().one_pixel_range().unwrap();
+    /// assert!((near.m() - 1.372549).abs() < 1e-6);
+    /// assert!((far.unwrap().m() - 1.428571).abs() < 1e-6);
+    /// ```
     pub fn one_pixel_range(&self) -> Option<(Length, Option<Length>)> {
         self.stereo.distance()?;
         Some((self.problem.stereo_distance_if(1.0)?, self.problem.stereo_distance_if(-1.0)))
@@ -105,6 +168,18 @@ impl Solution {
     /// real width.
     ///
     /// With both distances known it equals D_stereo/D_monocular − 1.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// mug.set(Field::RealWidth, Some(0.3));
+    /// // 0.3 m at 1.4 m are 150 px; 165 px are 10 % more.
+    /// mug.set(Field::ImageWidth, Some(165.0));
+    /// assert!((mug.solve().width_discrepancy().unwrap() - 0.1).abs() < 1e-12);
+    /// ```
     pub fn width_discrepancy(&self) -> Option<f64> {
         let ratio = self.stereo.distance()?.m() / self.monocular.distance()?.m();
         Some(ratio - 1.0).filter(|r| r.is_finite())

@@ -16,6 +16,15 @@ impl Problem {
     ///
     /// Never fails and never holds a NaN or an infinity: what cannot be had is absent, and where the inputs of a method are
     /// complete but useless the method says [why](Outcome::Refused).
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// assert_eq!(mug.solve().stereo.distance().unwrap().m(), 1.4);
+    /// ```
     pub fn solve(&self) -> Solution {
         let stereo = self.solve_method(Method::Stereo);
         let monocular = self.solve_method(Method::Monocular);
@@ -56,6 +65,17 @@ impl Problem {
 
     /// The stereo distance had the disparity been `shift` px larger (nearer) or smaller (farther); `None` where the object
     /// would be infinitely far away or the inputs are incomplete.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// // 70/(50 + 20).
+    /// assert_eq!(mug.stereo_distance_if(20.0).unwrap().m(), 1.0);
+    /// assert_eq!(mug.stereo_distance_if(-50.0), None);
+    /// ```
     pub fn stereo_distance_if(&self, shift: f64) -> Option<Length> {
         let disparity = self.effective_disparity()?.px() + shift;
         if disparity <= 0.0 {
