@@ -1,5 +1,4 @@
-//! The mathematics of a distance: plain structs and pure functions, SI units inside; no text, no user interface, no files,
-//! no clock, and no dependency but serde, which is optional.
+#![doc = include_str!("../README.md")]
 
 pub mod agreement;
 pub mod angle;
