@@ -96,7 +96,7 @@ impl Field {
         matches!(self, Self::Baseline | Self::RealWidth)
     }
 
-    /// The range outside which a value deserves a warning, in px or metres.
+    /// The range outside which a value deserves a warning, in px or meters.
     ///
     /// Wide on purpose: the presets of real cameras lie far inside; a value outside is nearly always a slip of the unit.
     ///
@@ -118,7 +118,7 @@ impl Field {
         }
     }
 
-    /// Whether `value` (px or metres) lies in the [usual range](Self::usual_range), its ends included.
+    /// Whether `value` (px or meters) lies in the [usual range](Self::usual_range), its ends included.
     ///
     /// ```
     /// use depth_core::field::Field;

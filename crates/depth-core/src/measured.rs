@@ -38,7 +38,7 @@ impl<Q: Quantity> Measured<Q> {
         Self { value, sigma: Q::ZERO }
     }
 
-    /// A value with its standard deviation, both in the base unit of the quantity (metres, pixels, radians).
+    /// A value with its standard deviation, both in the base unit of the quantity (meters, pixels, radians).
     ///
     /// ```
     /// use depth_core::measured::Measured;

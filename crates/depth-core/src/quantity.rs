@@ -1,6 +1,6 @@
-//! Quantities that carry their unit in their type: [`Length`] in metres, [`Pixels`] in image pixels.
+//! Quantities that carry their unit in their type: [`Length`] in meters, [`Pixels`] in image pixels.
 
-/// A quantity that is kept as a number of its base unit: metres, pixels or radians; for a plain number, itself.
+/// A quantity that is kept as a number of its base unit: meters, pixels or radians; for a plain number, itself.
 pub trait Quantity: Copy {
     /// Nothing of it.
     const ZERO: Self;
@@ -27,8 +27,8 @@ impl Quantity for f64 {
 impl Quantity for Length {
     const ZERO: Self = Self(0.0);
 
-    fn from_base(metres: f64) -> Self {
-        Self(metres)
+    fn from_base(meters: f64) -> Self {
+        Self(meters)
     }
 
     fn to_base(self) -> f64 {
@@ -48,20 +48,20 @@ impl Quantity for Pixels {
     }
 }
 
-/// A length, kept in metres whatever unit it was given in.
+/// A length, kept in meters whatever unit it was given in.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Length(f64);
 
 impl Length {
-    /// A length of `metres` metres.
+    /// A length of `meters` meters.
     ///
     /// ```
     /// use depth_core::quantity::{Length, LengthUnit};
     ///
     /// assert_eq!(Length::from_m(0.1).in_unit(LengthUnit::Centimetre), 10.0);
     /// ```
-    pub const fn from_m(metres: f64) -> Self {
-        Self(metres)
+    pub const fn from_m(meters: f64) -> Self {
+        Self(meters)
     }
 
     /// A length of `value` in `unit`.
@@ -77,12 +77,12 @@ impl Length {
             LengthUnit::Millimetre => value / 1000.0,
             LengthUnit::Centimetre => value / 100.0,
             LengthUnit::Metre => value,
-            LengthUnit::Inch => value * METRES_PER_INCH,
-            LengthUnit::Foot => value * METRES_PER_FOOT,
+            LengthUnit::Inch => value * METERS_PER_INCH,
+            LengthUnit::Foot => value * METERS_PER_FOOT,
         })
     }
 
-    /// This length in metres.
+    /// This length in meters.
     ///
     /// ```
     /// use depth_core::quantity::{Length, LengthUnit};
@@ -105,16 +105,16 @@ impl Length {
             LengthUnit::Millimetre => self.0 * 1000.0,
             LengthUnit::Centimetre => self.0 * 100.0,
             LengthUnit::Metre => self.0,
-            LengthUnit::Inch => self.0 / METRES_PER_INCH,
-            LengthUnit::Foot => self.0 / METRES_PER_FOOT,
+            LengthUnit::Inch => self.0 / METERS_PER_INCH,
+            LengthUnit::Foot => self.0 / METERS_PER_FOOT,
         }
     }
 }
 
 /// Exact by definition: international yard and pound agreement, 1959.
-const METRES_PER_INCH: f64 = 0.0254;
+const METERS_PER_INCH: f64 = 0.0254;
 /// Exact by definition: international yard and pound agreement, 1959.
-const METRES_PER_FOOT: f64 = 0.3048;
+const METERS_PER_FOOT: f64 = 0.3048;
 
 /// A distance in the image plane, in pixels. Also the unit of a focal length in the pinhole model.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]

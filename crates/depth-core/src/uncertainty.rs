@@ -71,7 +71,7 @@ impl Model {
         root_sum_of_squares(&[self.length().1.relative(), self.relative_divisor_sigma()])
     }
 
-    /// The 1 σ interval with every uncertainty and no linearisation: all distances that the inputs do not contradict by
+    /// The 1 σ interval with every uncertainty and no linearization: all distances that the inputs do not contradict by
     /// more than 1 σ.
     ///
     /// Z·(1 ± √(rk² + rx² − rk²·rx²))/(1 − rx²) with rk the relative σ of f·L (rk² = σ_f²/f² + σ_L²/L²) and rx that of the
@@ -210,7 +210,7 @@ pub struct Uncertainty {
     pub model: Model,
     /// σ of the distance to first order.
     pub sigma: Length,
-    /// The 1 σ interval without linearisation.
+    /// The 1 σ interval without linearization.
     pub interval: Interval,
     /// Which input causes which part of the variance; adds to 1.
     pub budget: Budget,

@@ -47,7 +47,7 @@ impl Found {
         }
     }
 
-    /// Its value and σ in the base unit (px or metres).
+    /// Its value and σ in the base unit (px or meters).
     ///
     /// ```
     /// use depth_core::measured::Measured;

@@ -138,7 +138,7 @@ fn suspects_of(b: f64, d: f64, w: f64, p: f64) -> Vec<Suspect> {
 }
 
 #[test]
-fn a_raw_disparity_is_recognised() {
+fn a_raw_disparity_is_recognized() {
     assert_eq!(suspects_of(1.0, 16.0, 1.0, 1.0)[0], Suspect::RawDisparity { scale: 16.0 });
     assert_eq!(suspects_of(1.0, 15.5, 1.0, 1.0)[0], Suspect::RawDisparity { scale: 16.0 });
     assert_eq!(suspects_of(1.0, 256.0, 1.0, 1.0)[0], Suspect::RawDisparity { scale: 256.0 });
@@ -150,7 +150,7 @@ fn a_raw_disparity_is_recognised() {
 }
 
 #[test]
-fn every_slip_of_the_unit_is_recognised_in_either_length() {
+fn every_slip_of_the_unit_is_recognized_in_either_length() {
     for taken in LengthUnit::ALL {
         for meant in LengthUnit::ALL.into_iter().filter(|&meant| meant != taken) {
             let factor = Length::new(1.0, taken).m() / Length::new(1.0, meant).m();
@@ -168,7 +168,7 @@ fn every_slip_of_the_unit_is_recognised_in_either_length() {
 }
 
 #[test]
-fn a_resized_image_is_recognised() {
+fn a_resized_image_is_recognized() {
     let resized = |source, times| Suspect::Resized { source, times };
     assert!(suspects_of(1.0, 2.0, 1.0, 1.0)[..2].contains(&resized(Field::Disparity, 2.0)));
     assert!(suspects_of(1.0, 0.5, 1.0, 1.0)[..2].contains(&resized(Field::Disparity, 0.5)));

@@ -106,12 +106,12 @@ fn a_resized_camera_keeps_its_rays() {
     assert_eq!((half.cx, half.cy), (px(304.75), px(174.75)));
     assert_eq!(camera.resized(px(0.0), px(360.0)), None);
     // The middle of an image stays its middle.
-    let centred = Intrinsics {
+    let centered = Intrinsics {
         cx: px(639.5),
         cy: px(359.5),
         ..camera
     };
-    let third = centred.resized(px(426.0), px(240.0)).unwrap();
+    let third = centered.resized(px(426.0), px(240.0)).unwrap();
     assert_near(third.cx.px(), 212.5, 1e-12);
     assert_near(third.cy.px(), 119.5, 1e-12);
 }

@@ -58,7 +58,7 @@ pub fn any_measured<Q: Quantity + Debug>() -> impl Strategy<Value = Measured<Q>>
         .prop_map(|(value, relative, anything, choice)| Measured::from_base(value, if choice == 0 { anything } else { value * relative }))
 }
 
-/// An ordinary value; its σ is often 0, often a few per cent, at most three times the value.
+/// An ordinary value; its σ is often 0, often a few percent, at most three times the value.
 pub fn ordinary_measured<Q: Quantity + Debug>(value: Range<f64>) -> impl Strategy<Value = Measured<Q>> {
     (value, prop_oneof![Just(0.0), 0.0..0.2, 0.0..3.0]).prop_map(|(value, relative)| Measured::from_base(value, value * relative))
 }

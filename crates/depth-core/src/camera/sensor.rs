@@ -6,9 +6,9 @@ pub struct SensorFormat {
     /// What it is called: an inch figure is the diameter of a video tube with about such a picture, half as much again as
     /// the sensor's diagonal.
     pub name: &'static str,
-    /// Width in millimetres.
+    /// Width in millimeters.
     pub width_mm: f64,
-    /// Height in millimetres.
+    /// Height in millimeters.
     pub height_mm: f64,
     /// Where the dimensions come from.
     pub basis: SensorBasis,
@@ -17,7 +17,7 @@ pub struct SensorFormat {
 /// Where a [`SensorFormat`]'s dimensions come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SensorBasis {
-    /// Typical of the format; sensors of that name differ by some per cent.
+    /// Typical of the format; sensors of that name differ by some percent.
     Typical,
     /// Pixels times pixel pitch of one common chip of the format.
     OneChip,

@@ -78,7 +78,7 @@ impl Distribution {
 }
 
 /// The quantile of `drawn` draws of which the finite ones are `sorted` and the rest lie above them; `quantile` in
-/// 1/100 000. Interpolates between neighbours (definition 7 of R. J. Hyndman, Y. Fan, Sample quantiles in statistical
+/// 1/100 000. Interpolates between neighbors (definition 7 of R. J. Hyndman, Y. Fan, Sample quantiles in statistical
 /// packages, The American Statistician 50, 1996).
 fn quantile_of(sorted: &[f64], drawn: u32, quantile: u32) -> Option<f64> {
     const WHOLE: u64 = 100_000;

@@ -11,7 +11,7 @@ use crate::model::Model;
 pub struct MonteCarlo {
     model: Model,
     normal: Normal,
-    /// In metres, sorted.
+    /// In meters, sorted.
     finite: Vec<f64>,
     infinite: u32,
 }
@@ -113,7 +113,7 @@ impl MonteCarlo {
         Distribution::of(&self.finite, self.infinite)
     }
 
-    /// One draw in metres; `None` for infinitely far.
+    /// One draw in meters; `None` for infinitely far.
     fn distance(&mut self) -> Option<f64> {
         let focal_length = self.normal.draw(self.model.focal_length());
         let length = self.normal.draw(self.model.length().1);

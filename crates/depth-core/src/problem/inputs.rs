@@ -10,7 +10,7 @@ use crate::quantity::{Length, Pixels, Quantity};
 pub struct Problem {
     /// fx: focal length in pixels of the image that d and w_img are measured in.
     pub focal_length: Option<Measured<Pixels>>,
-    /// b: distance between the optical centres of the two cameras.
+    /// b: distance between the optical centers of the two cameras.
     pub baseline: Option<Measured<Length>>,
     /// d: horizontal shift of the object between the rectified images.
     pub disparity: Option<Measured<Pixels>>,
@@ -40,7 +40,7 @@ impl Default for Problem {
 }
 
 impl Problem {
-    /// The value of `field` in its base unit (px or metres).
+    /// The value of `field` in its base unit (px or meters).
     ///
     /// ```
     /// # use depth_core::problem::{Field, Problem};
@@ -55,7 +55,7 @@ impl Problem {
         self.measured(field).map(|input| input.value)
     }
 
-    /// Sets `field` to `value` in its base unit (px or metres). Its σ stays; without a value there is none, but that of doffs.
+    /// Sets `field` to `value` in its base unit (px or meters). Its σ stays; without a value there is none, but that of doffs.
     ///
     /// ```
     /// # use depth_core::problem::{Field, Problem};
@@ -81,7 +81,7 @@ impl Problem {
         }
     }
 
-    /// σ of `field` in its base unit (px or metres): 0 where none was given. That of doffs without a value belongs to an
+    /// σ of `field` in its base unit (px or meters): 0 where none was given. That of doffs without a value belongs to an
     /// offset of 0.
     ///
     /// ```
@@ -100,7 +100,7 @@ impl Problem {
         }
     }
 
-    /// Sets σ of `field` in its base unit (px or metres), 0 for none. Without a value only doffs can have one.
+    /// Sets σ of `field` in its base unit (px or meters), 0 for none. Without a value only doffs can have one.
     ///
     /// ```
     /// # use depth_core::problem::{Field, Problem};
@@ -150,7 +150,7 @@ impl Problem {
         self
     }
 
-    /// The value of `field` with its σ, in its base unit (px or metres).
+    /// The value of `field` with its σ, in its base unit (px or meters).
     ///
     /// ```
     /// # use depth_core::problem::{Field, Problem};
