@@ -9,13 +9,14 @@
 //! 5. `platform`: the entry points of the web page and the desktop program.
 //!
 //! ```
+//! use depth_calculator::core::measured::Measured;
 //! use depth_calculator::core::problem::Problem;
 //! use depth_calculator::core::quantity::{Length, LengthUnit, Pixels};
 //!
 //! let mug = Problem {
-//!     focal_length: Some(Pixels::new(700.0)),
-//!     baseline: Some(Length::new(10.0, LengthUnit::Centimetre)),
-//!     disparity: Some(Pixels::new(50.0)),
+//!     focal_length: Some(Measured::exact(Pixels::new(700.0))),
+//!     baseline: Some(Measured::exact(Length::new(10.0, LengthUnit::Centimetre))),
+//!     disparity: Some(Measured::exact(Pixels::new(50.0))),
 //!     ..Problem::default()
 //! };
 //! assert_eq!(mug.solve().stereo.distance(), Some(Length::from_m(1.4)));

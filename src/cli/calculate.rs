@@ -181,7 +181,7 @@ impl Calculate {
             return answer.map(Reply::without_warnings);
         }
         Ok(Reply {
-            text: text::answer(solution, self.unit),
+            text: text::answer(&assessment, self.unit),
             warnings: warnings
                 .iter()
                 .map(|Warning { field, message }| format!("--{field}: {message}"))

@@ -36,7 +36,7 @@ struct Combined {
 /// Why it cannot be JSON.
 pub(super) fn answer(solution: &Solution, warnings: &[Warning]) -> Result<String, String> {
     let distance = |method: Method| {
-        let known = solution.known(method);
+        let known = solution.uncertainty(method);
         Some(Distance {
             distance_m: solution.outcome(method).distance()?.m(),
             sigma_m: known.map(|known| known.sigma.m()),
@@ -44,13 +44,13 @@ pub(super) fn answer(solution: &Solution, warnings: &[Warning]) -> Result<String
             far_m: known.and_then(|known| known.interval.far).map(Length::m),
         })
     };
-    let combined = solution.together.as_ref().and_then(|together| together.combined);
+    let combined = solution.comparison.as_ref().and_then(|together| together.combined);
     let answer = Answer {
         stereo: distance(Method::Stereo),
         monocular: distance(Method::Monocular),
         combined: combined.map(|combined| Combined {
-            distance_m: combined.value,
-            sigma_m: combined.sigma,
+            distance_m: combined.value.m(),
+            sigma_m: combined.sigma.m(),
         }),
         estimated_width_px: solution.estimated_width_px.map(Pixels::px),
         estimated_width_m: solution.estimated_width.map(Length::m),

@@ -2,8 +2,9 @@
 
 use super::digits::{in_sentence, plain, rounded, significant};
 use crate::core::agreement::Verdict;
-use crate::core::problem::{Field, Known, Method, Solution};
+use crate::core::problem::{Field, Method, Solution, Uncertainty};
 use crate::core::quantity::{Length, LengthUnit};
+use crate::formats::inputs::Assessment;
 use crate::formats::report;
 
 /// Significant digits of a number without σ.
@@ -17,24 +18,25 @@ const FIRST_ORDER_IS_POOR: &str =
     "The pixels are known to worse than 10 %: plus or minus σ is a poor description here, the interval is right.";
 
 /// The answer with its lengths in `unit`, a line each.
-pub(super) fn answer(solution: &Solution, unit: LengthUnit) -> String {
+pub(super) fn answer(assessment: &Assessment, unit: LengthUnit) -> String {
+    let solution = &assessment.solution;
     let mut lines = Vec::new();
     // Two distances that contradict each other have nothing in between that could be right.
     let compatible = solution
-        .together
+        .comparison
         .as_ref()
         .filter(|together| together.agreement.verdict != Some(Verdict::Disagree));
     let combined = compatible.and_then(|together| together.combined);
     if let Some(combined) = combined {
-        let value = with_sigma(Length::from_m(combined.value), Length::from_m(combined.sigma), unit);
+        let value = with_sigma(combined.value, combined.sigma, unit);
         lines.push(format!("{value} (combined, the shared focal length accounted for)"));
-        lines.extend(agreement(solution));
+        lines.extend(agreement(assessment));
     }
     for method in Method::ALL {
         lines.extend(of_method(solution, method, unit).unwrap_or_default());
     }
     if combined.is_none() {
-        lines.extend(agreement(solution));
+        lines.extend(agreement(assessment));
     }
     lines.extend(widths(solution, unit));
     lines.into_iter().map(|line| in_sentence(&line) + "\n").collect()
@@ -43,7 +45,7 @@ pub(super) fn answer(solution: &Solution, unit: LengthUnit) -> String {
 /// The distance of `method`, how it was computed and how sure it is; `None` without one.
 fn of_method(solution: &Solution, method: Method, unit: LengthUnit) -> Option<Vec<String>> {
     let distance = solution.outcome(method).distance()?;
-    let known = solution.known(method);
+    let known = solution.uncertainty(method);
     let value = known.map_or_else(|| length(distance, unit), |known| with_sigma(distance, known.sigma, unit));
     let mut lines = vec![format!("{value} ({})", method.name().to_lowercase())];
     if let Some(numbers) = formula_with_numbers(solution, method, unit) {
@@ -57,7 +59,7 @@ fn of_method(solution: &Solution, method: Method, unit: LengthUnit) -> Option<Ve
         }
     }
     if method == Method::Stereo
-        && let Some((near, far)) = solution.one_pixel_around()
+        && let Some((near, far)) = solution.one_pixel_range()
     {
         let number = |length: Length| significant(length.in_unit(unit), DIGITS);
         lines.push(format!(
@@ -69,9 +71,11 @@ fn of_method(solution: &Solution, method: Method, unit: LengthUnit) -> Option<Ve
 }
 
 /// Whether both methods agree, and what to look at if not.
-fn agreement(solution: &Solution) -> Vec<String> {
-    let Some(together) = &solution.together else { return Vec::new() };
-    let suspects = together.agreement.suspects.iter().map(report::suspect_sentence);
+fn agreement(assessment: &Assessment) -> Vec<String> {
+    let Some(together) = &assessment.solution.comparison else {
+        return Vec::new();
+    };
+    let suspects = assessment.suspects.iter().map(report::suspect_sentence);
     std::iter::once(report::agreement_sentence(&together.agreement))
         .chain(suspects)
         .map(|sentence| format!("  {sentence}"))
@@ -138,7 +142,7 @@ fn with_sigma(length: Length, sigma: Length, unit: LengthUnit) -> String {
 }
 
 /// The 1 σ interval, to the decimals of σ.
-fn interval(known: &Known, unit: LengthUnit) -> String {
+fn interval(known: &Uncertainty, unit: LengthUnit) -> String {
     let decimals = report::decimals_beside(known.model.depth().in_unit(unit), known.sigma.in_unit(unit));
     let number = |length: Length| rounded(length.in_unit(unit), decimals);
     range(&number(known.interval.near), known.interval.far.map(number).as_deref(), unit)

@@ -5,7 +5,11 @@ use depth_core::measured::Measured;
 use depth_core::monte_carlo::MonteCarlo;
 use depth_core::problem::{Field, Problem};
 use depth_core::uncertainty::Model;
-use divan::{Bencher, black_box, counter::ItemsCount};
+use divan::{AllocProfiler, Bencher, black_box, counter::ItemsCount};
+
+/// Shows what is allocated beside the time.
+#[global_allocator]
+static ALLOCATIONS: AllocProfiler = AllocProfiler::system();
 
 fn main() {
     divan::main();
@@ -29,7 +33,10 @@ fn problem() -> Problem {
 #[divan::bench]
 fn solve_without_sigma(bencher: Bencher) {
     let problem = problem();
-    assert!(problem.solve().monocular_known.is_none(), "nothing is known about the uncertainty");
+    assert!(
+        problem.solve().monocular_uncertainty.is_none(),
+        "nothing is known about the uncertainty"
+    );
     bencher.bench(|| black_box(&problem).solve());
 }
 
@@ -37,17 +44,34 @@ fn solve_without_sigma(bencher: Bencher) {
 fn solve_with_sigma(bencher: Bencher) {
     let mut problem = problem();
     for field in Field::ALL {
-        problem.sigmas.set(field, problem.get(field).map(|value| 0.01 * value));
+        problem.set_sigma(field, problem.get(field).map_or(0.0, |value| 0.01 * value));
     }
-    assert!(problem.solve().together.is_some(), "both methods have an uncertainty");
+    assert!(problem.solve().comparison.is_some(), "both methods have an uncertainty");
+    bencher.bench(|| black_box(&problem).solve());
+}
+
+/// The two distances disagree.
+#[divan::bench]
+fn solve_with_sigma_and_disagree(bencher: Bencher) {
+    let mut problem = problem();
+    problem.set(Field::RealWidth, Some(0.9));
+    for field in Field::ALL {
+        problem.set_sigma(field, problem.get(field).map_or(0.0, |value| 0.01 * value));
+    }
     bencher.bench(|| black_box(&problem).solve());
 }
 
 const DRAWS: u32 = 10_000;
 
 fn model() -> Model {
-    let exact = Measured::exact(0.0);
-    Model::stereo(Measured::new(700.0, 5.0), Measured::new(0.1, 1e-3), Measured::new(50.0, 0.5), exact).unwrap()
+    let exact = Measured::from_base(0.0, 0.0);
+    Model::stereo(
+        Measured::from_base(700.0, 5.0),
+        Measured::from_base(0.1, 1e-3),
+        Measured::from_base(50.0, 0.5),
+        exact,
+    )
+    .unwrap()
 }
 
 /// The counter gives draws per second.

@@ -62,6 +62,14 @@ pub enum NoDisparity {
 impl Encoding {
     /// The disparity in pixels that `stored` stands for. Its sign is not judged: doffs may make up for it.
     ///
+    /// ```
+    /// use depth_core::disparity::Encoding;
+    /// use depth_core::quantity::Pixels;
+    ///
+    /// // Sixteenths of a pixel.
+    /// assert_eq!(Encoding::OpenCv { min_disparity: 0 }.decode(800.0), Ok(Pixels::new(50.0)));
+    /// ```
+    ///
     /// # Errors
     /// [`NoDisparity`].
     pub fn decode(self, stored: f64) -> Result<Pixels, NoDisparity> {
@@ -88,6 +96,12 @@ impl Encoding {
 
 impl SubpixelBits {
     /// What to divide by.
+    ///
+    /// ```
+    /// use depth_core::disparity::SubpixelBits;
+    ///
+    /// assert_eq!(SubpixelBits::Five.scale(), 32.0);
+    /// ```
     pub const fn scale(self) -> f64 {
         match self {
             Self::Three => 8.0,
@@ -111,17 +125,33 @@ fn fixed_point(stored: f64, (lowest, highest): (f64, f64), invalid: f64, scale: 
 
 /// Disparity in pixels from the columns at which the same point is seen, d = x_left − x_right, with σ_d² = σ_l² + σ_r².
 ///
+/// ```
+/// use depth_core::disparity::from_columns;
+/// use depth_core::measured::Measured;
+///
+/// let d = from_columns(Measured::from_base(660.0, 0.3), Measured::from_base(610.0, 0.4));
+/// assert_eq!(d.value.px(), 50.0);
+/// assert!((d.sigma.px() - 0.5).abs() < 1e-12);
+/// ```
+///
 /// Source: the definition in ROS stereo_msgs/DisparityImage and Middlebury 2014, before any correction for the principal
 /// points: that is [`doffs`].
-pub fn from_columns(x_left: Measured, x_right: Measured) -> Measured {
-    x_left.plus(Measured::new(-x_right.value, x_right.sigma))
+pub fn from_columns(x_left: Measured<Pixels>, x_right: Measured<Pixels>) -> Measured<Pixels> {
+    x_left.minus(x_right)
 }
 
 /// δ = cx_right − cx_left in pixels: what to add to a disparity where the principal points differ.
 ///
 /// A disparity from ROS stereo_msgs/DisparityImage contains it already.
 ///
+/// ```
+/// use depth_core::disparity::doffs;
+/// use depth_core::measured::Measured;
+///
+/// assert_eq!(doffs(Measured::from_base(610.0, 0.0), Measured::from_base(650.0, 0.0)).value.px(), 40.0);
+/// ```
+///
 /// Source: Middlebury 2014 calibration format, `doffs`.
-pub fn doffs(cx_left: Measured, cx_right: Measured) -> Measured {
+pub fn doffs(cx_left: Measured<Pixels>, cx_right: Measured<Pixels>) -> Measured<Pixels> {
     from_columns(cx_right, cx_left)
 }

@@ -1,5 +1,7 @@
 //! [`Field`]: the inputs, by the names that people know them by.
 
+use crate::quantity::{Length, LengthUnit};
+
 /// An input of a distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -30,6 +32,12 @@ impl Field {
     ];
 
     /// The name people and tests look for.
+    ///
+    /// ```
+    /// use depth_core::field::Field;
+    ///
+    /// assert_eq!(Field::Disparity.name(), "Disparity (d)");
+    /// ```
     pub const fn name(self) -> &'static str {
         match self {
             Self::FocalLength => "Focal length (fx)",
@@ -42,6 +50,12 @@ impl Field {
     }
 
     /// The symbol in the formulas.
+    ///
+    /// ```
+    /// use depth_core::field::Field;
+    ///
+    /// assert_eq!(Field::RealWidth.symbol(), "w_real");
+    /// ```
     pub const fn symbol(self) -> &'static str {
         match self {
             Self::FocalLength => "fx",
@@ -54,6 +68,12 @@ impl Field {
     }
 
     /// The field in the middle of a sentence.
+    ///
+    /// ```
+    /// use depth_core::field::Field;
+    ///
+    /// assert_eq!(Field::Baseline.noun(), "the baseline");
+    /// ```
     pub const fn noun(self) -> &'static str {
         match self {
             Self::FocalLength => "the focal length",
@@ -66,13 +86,26 @@ impl Field {
     }
 
     /// Whether the field is a length (with a choice of unit) rather than a number of pixels.
+    ///
+    /// ```
+    /// use depth_core::field::Field;
+    ///
+    /// assert!(Field::Baseline.is_length() && !Field::Disparity.is_length());
+    /// ```
     pub const fn is_length(self) -> bool {
         matches!(self, Self::Baseline | Self::RealWidth)
     }
 
-    /// The range outside which a value deserves a warning, in px or metres.
+    /// The range outside which a value deserves a warning, in px or meters.
     ///
     /// Wide on purpose: the presets of real cameras lie far inside; a value outside is nearly always a slip of the unit.
+    ///
+    /// ```
+    /// use depth_core::field::Field;
+    ///
+    /// // From 5 mm to 5 m.
+    /// assert_eq!(Field::Baseline.usual_range(), (0.005, 5.0));
+    /// ```
     pub const fn usual_range(self) -> (f64, f64) {
         match self {
             Self::FocalLength => (50.0, 20_000.0),
@@ -85,9 +118,40 @@ impl Field {
         }
     }
 
-    /// Whether `value` (px or metres) lies in the [usual range](Self::usual_range), its ends included.
+    /// Whether `value` (px or meters) lies in the [usual range](Self::usual_range), its ends included.
+    ///
+    /// ```
+    /// use depth_core::field::Field;
+    ///
+    /// // 100 mm typed as meters is no usual baseline.
+    /// assert!(Field::Baseline.is_usual(0.1) && !Field::Baseline.is_usual(100.0));
+    /// ```
     pub fn is_usual(self, value: f64) -> bool {
         let (low, high) = self.usual_range();
         (low..=high).contains(&value)
     }
+}
+
+/// The first unit in which `typed` would be a usual value of `field`, if it is not one in the unit it was typed in.
+///
+/// ```
+/// use depth_core::field::{Field, better_unit};
+/// use depth_core::quantity::LengthUnit;
+///
+/// // A baseline of 100 m is 100 mm.
+/// assert_eq!(better_unit(Field::Baseline, 100.0, LengthUnit::Metre), Some(LengthUnit::Millimetre));
+/// ```
+pub fn better_unit(field: Field, typed: f64, unit: LengthUnit) -> Option<LengthUnit> {
+    const LIKELIEST_FIRST: [LengthUnit; 5] = [
+        LengthUnit::Metre,
+        LengthUnit::Millimetre,
+        LengthUnit::Centimetre,
+        LengthUnit::Inch,
+        LengthUnit::Foot,
+    ];
+    let usual = |unit| field.is_usual(Length::new(typed, unit).m());
+    if !field.is_length() || usual(unit) {
+        return None;
+    }
+    LIKELIEST_FIRST.into_iter().find(|&candidate| usual(candidate))
 }

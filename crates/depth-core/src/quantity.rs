@@ -1,48 +1,120 @@
-//! Quantities that carry their unit in their type: [`Length`] in metres, [`Pixels`] in image pixels.
+//! Quantities that carry their unit in their type: [`Length`] in meters, [`Pixels`] in image pixels.
 
-/// A length, kept in metres whatever unit it was given in.
+/// A quantity that is kept as a number of its base unit: meters, pixels or radians; for a plain number, itself.
+pub trait Quantity: Copy {
+    /// Nothing of it.
+    const ZERO: Self;
+
+    /// `value` base units.
+    fn from_base(value: f64) -> Self;
+
+    /// The number of base units.
+    fn to_base(self) -> f64;
+}
+
+impl Quantity for f64 {
+    const ZERO: Self = 0.0;
+
+    fn from_base(value: f64) -> Self {
+        value
+    }
+
+    fn to_base(self) -> f64 {
+        self
+    }
+}
+
+impl Quantity for Length {
+    const ZERO: Self = Self(0.0);
+
+    fn from_base(meters: f64) -> Self {
+        Self(meters)
+    }
+
+    fn to_base(self) -> f64 {
+        self.0
+    }
+}
+
+impl Quantity for Pixels {
+    const ZERO: Self = Self(0.0);
+
+    fn from_base(pixels: f64) -> Self {
+        Self(pixels)
+    }
+
+    fn to_base(self) -> f64 {
+        self.0
+    }
+}
+
+/// A length, kept in meters whatever unit it was given in.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Length(f64);
 
 impl Length {
-    /// A length of `metres` metres.
-    pub const fn from_m(metres: f64) -> Self {
-        Self(metres)
+    /// A length of `meters` meters.
+    ///
+    /// ```
+    /// use depth_core::quantity::{Length, LengthUnit};
+    ///
+    /// assert_eq!(Length::from_m(0.1).in_unit(LengthUnit::Centimetre), 10.0);
+    /// ```
+    pub const fn from_m(meters: f64) -> Self {
+        Self(meters)
     }
 
     /// A length of `value` in `unit`.
+    ///
+    /// ```
+    /// use depth_core::quantity::{Length, LengthUnit};
+    ///
+    /// assert_eq!(Length::new(100.0, LengthUnit::Millimetre).m(), 0.1);
+    /// ```
     pub fn new(value: f64, unit: LengthUnit) -> Self {
         Self(match unit {
             // Dividing by a power of ten rounds once, so that 100 mm is exactly the f64 nearest to 0.1.
             LengthUnit::Millimetre => value / 1000.0,
             LengthUnit::Centimetre => value / 100.0,
             LengthUnit::Metre => value,
-            LengthUnit::Inch => value * METRES_PER_INCH,
-            LengthUnit::Foot => value * METRES_PER_FOOT,
+            LengthUnit::Inch => value * METERS_PER_INCH,
+            LengthUnit::Foot => value * METERS_PER_FOOT,
         })
     }
 
-    /// This length in metres.
+    /// This length in meters.
+    ///
+    /// ```
+    /// use depth_core::quantity::{Length, LengthUnit};
+    ///
+    /// assert_eq!(Length::new(1.0, LengthUnit::Foot).m(), 0.3048);
+    /// ```
     pub const fn m(self) -> f64 {
         self.0
     }
 
     /// This length as a number of `unit`.
+    ///
+    /// ```
+    /// use depth_core::quantity::{Length, LengthUnit};
+    ///
+    /// assert_eq!(Length::from_m(0.0254).in_unit(LengthUnit::Inch), 1.0);
+    /// ```
     pub fn in_unit(self, unit: LengthUnit) -> f64 {
         match unit {
             LengthUnit::Millimetre => self.0 * 1000.0,
             LengthUnit::Centimetre => self.0 * 100.0,
             LengthUnit::Metre => self.0,
-            LengthUnit::Inch => self.0 / METRES_PER_INCH,
-            LengthUnit::Foot => self.0 / METRES_PER_FOOT,
+            LengthUnit::Inch => self.0 / METERS_PER_INCH,
+            LengthUnit::Foot => self.0 / METERS_PER_FOOT,
         }
     }
 }
 
 /// Exact by definition: international yard and pound agreement, 1959.
-const METRES_PER_INCH: f64 = 0.0254;
+const METERS_PER_INCH: f64 = 0.0254;
 /// Exact by definition: international yard and pound agreement, 1959.
-const METRES_PER_FOOT: f64 = 0.3048;
+const METERS_PER_FOOT: f64 = 0.3048;
 
 /// A distance in the image plane, in pixels. Also the unit of a focal length in the pinhole model.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
@@ -50,11 +122,23 @@ pub struct Pixels(f64);
 
 impl Pixels {
     /// `value` pixels.
+    ///
+    /// ```
+    /// use depth_core::quantity::Pixels;
+    ///
+    /// assert!(Pixels::new(50.0) < Pixels::new(51.0));
+    /// ```
     pub const fn new(value: f64) -> Self {
         Self(value)
     }
 
     /// The number of pixels.
+    ///
+    /// ```
+    /// use depth_core::quantity::Pixels;
+    ///
+    /// assert_eq!(Pixels::new(700.0).px(), 700.0);
+    /// ```
     pub const fn px(self) -> f64 {
         self.0
     }
@@ -86,6 +170,12 @@ impl LengthUnit {
     pub const ALL: [Self; 5] = [Self::Millimetre, Self::Centimetre, Self::Metre, Self::Inch, Self::Foot];
 
     /// The unit's symbol, as written after a number.
+    ///
+    /// ```
+    /// use depth_core::quantity::LengthUnit;
+    ///
+    /// assert_eq!(LengthUnit::Inch.symbol(), "in");
+    /// ```
     pub const fn symbol(self) -> &'static str {
         match self {
             Self::Millimetre => "mm",
@@ -97,6 +187,12 @@ impl LengthUnit {
     }
 
     /// The unit's name in the plural, as read aloud.
+    ///
+    /// ```
+    /// use depth_core::quantity::LengthUnit;
+    ///
+    /// assert_eq!(LengthUnit::Foot.name(), "feet");
+    /// ```
     pub const fn name(self) -> &'static str {
         match self {
             Self::Millimetre => "millimetres",
@@ -105,16 +201,5 @@ impl LengthUnit {
             Self::Inch => "inches",
             Self::Foot => "feet",
         }
-    }
-}
-
-/// a·b/c for positive numbers, exact to rounding wherever the result itself is a normal number, even when a·b alone
-/// would overflow or underflow.
-pub(crate) fn times_over(a: f64, b: f64, c: f64) -> f64 {
-    let product = a * b;
-    if product.is_normal() {
-        product / c
-    } else {
-        a.max(b) / c * a.min(b)
     }
 }

@@ -5,49 +5,17 @@
 //! distance and keep its spread symmetric; x divides, and where its σ is not small the distance has a long far side. That
 //! is why [`Model::interval`] is the honest answer and [`Model::relative_sigma`] its small-σ limit.
 
-use crate::field::Field;
-use crate::measured::{Measured, root_sum_of_squares};
-use crate::quantity::{Length, times_over};
+use crate::arithmetic::root_sum_of_squares;
+use crate::measured::Measured;
+use crate::quantity::Length;
 
-/// Why no [`Model`] can be made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unusable {
-    /// The value must be finite, and positive (for a disparity: together with doffs).
-    Value(Field),
-    /// The standard deviation must be 0 or more, and less than [`LARGEST_RELATIVE_SIGMA`] times the value.
-    Sigma(Field),
-    /// Every input can be used, but the distance or its σ is too large or too small to be represented.
-    Distance,
-}
-
-/// A σ of more than this many times the value says nothing, and its square could not be represented.
-pub const LARGEST_RELATIVE_SIGMA: f64 = 1e150;
+pub use crate::budget::{Budget, Share};
+pub use crate::model::Model;
 
 /// The relative σ of the divisor up to which the first-order σ can be trusted: 10 %.
 ///
 /// At 10 % the far end of the exact 1 σ interval lies 1.11 σ away, the near end 0.91 σ.
 pub const FIRST_ORDER_LIMIT: f64 = 0.10;
-
-/// One distance and what it was computed from: positive inputs, possible standard deviations, a distance that can be
-/// represented. Made once; everything that follows from it can then be given without a further check.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Model {
-    focal_length: Measured,
-    length: Measured,
-    length_source: Field,
-    pixels: Measured,
-    pixels_source: Field,
-    doffs: Measured,
-}
-
-/// The part of the variance that one input is responsible for.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Share {
-    /// The input.
-    pub source: Field,
-    /// Its part of the variance, 0 to 1.
-    pub share: f64,
-}
 
 /// An interval of distances.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,126 +27,74 @@ pub struct Interval {
 }
 
 impl Model {
-    /// Stereo, Z = f·b/(d + δ): `focal_length`, `disparity` and `doffs` (0 where the principal points coincide) in pixels
-    /// of the same image, `baseline` in metres.
+    /// The distance with its first-order σ.
     ///
-    /// # Errors
-    /// [`Unusable`] names the first input that cannot be used.
-    pub fn stereo(focal_length: Measured, baseline: Measured, disparity: Measured, doffs: Measured) -> Result<Self, Unusable> {
-        Self {
-            focal_length,
-            length: baseline,
-            length_source: Field::Baseline,
-            pixels: disparity,
-            pixels_source: Field::Disparity,
-            doffs,
-        }
-        .checked()
-    }
-
-    /// Monocular, Z = w_real·f/w_img: `focal_length` and `image_width` in pixels of the same image, `real_width` in metres.
-    ///
-    /// # Errors
-    /// [`Unusable`] names the first input that cannot be used.
-    pub fn monocular(focal_length: Measured, real_width: Measured, image_width: Measured) -> Result<Self, Unusable> {
-        Self {
-            focal_length,
-            length: real_width,
-            length_source: Field::RealWidth,
-            pixels: image_width,
-            pixels_source: Field::ImageWidth,
-            doffs: Measured::exact(0.0),
-        }
-        .checked()
-    }
-
-    fn checked(self) -> Result<Self, Unusable> {
-        let divisor = self.divisor();
-        if !self.focal_length.value.is_normal() || self.focal_length.value < 0.0 {
-            return Err(Unusable::Value(Field::FocalLength));
-        }
-        if !self.length.value.is_normal() || self.length.value < 0.0 {
-            return Err(Unusable::Value(self.length_source));
-        }
-        if !self.doffs.value.is_finite() {
-            return Err(Unusable::Value(Field::Doffs));
-        }
-        if !self.pixels.value.is_finite() || !divisor.value.is_normal() || divisor.value < 0.0 {
-            return Err(Unusable::Value(self.pixels_source));
-        }
-        for (source, relative) in self.relative_sigmas() {
-            if !(0.0..=LARGEST_RELATIVE_SIGMA).contains(&relative) {
-                return Err(Unusable::Sigma(source));
-            }
-        }
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// // 5 % of 1.4 m.
+    /// let distance = mug.depth_with_sigma();
+    /// assert_eq!(distance.value.m(), 1.4);
+    /// assert!((distance.sigma.m() - 0.07).abs() < 1e-12);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
+    pub fn depth_with_sigma(&self) -> Measured<Length> {
         let depth = self.depth().m();
-        if !depth.is_normal() || !(depth * self.relative_sigma()).is_finite() || !divisor.sigma.is_finite() {
-            return Err(Unusable::Distance);
-        }
-        Ok(self)
-    }
-
-    /// The distance.
-    pub fn depth(&self) -> Length {
-        Length::from_m(times_over(self.focal_length.value, self.length.value, self.divisor().value))
-    }
-
-    /// The distance in metres with its first-order σ.
-    pub fn depth_with_sigma(&self) -> Measured {
-        let depth = self.depth().m();
-        Measured::new(depth, depth * self.relative_sigma())
-    }
-
-    /// σ_Z/Z to first order.
-    ///
-    /// Stereo: (σ_Z/Z)² = (σ_f/f)² + (σ_b/b)² + (σ_d² + σ_δ²)/(d + δ)².
-    /// Monocular: (σ_Z/Z)² = (σ_w/w_real)² + (σ_f/f)² + (σ_p/w_img)².
-    ///
-    /// Poor where [`first_order_is_good`](Self::first_order_is_good) is false.
-    ///
-    /// Source: JCGM 100:2008 (GUM), 5.1.6, for a product of powers ±1; without σ_f and σ_b it is the familiar
-    /// ΔZ = Z²·Δd/(f·b) of ROS stereo_msgs/DisparityImage.
-    pub fn relative_sigma(&self) -> f64 {
-        root_sum_of_squares(&self.relative_sigmas().map(|(_, relative)| relative))
+        Measured::from_base(depth, depth * self.relative_sigma())
     }
 
     /// σ_Z/Z to first order with the focal length taken to be exact: what this distance does not share with another one
     /// that was computed from the same focal length.
-    pub fn own_relative_sigma(&self) -> f64 {
-        root_sum_of_squares(&[self.length.relative(), self.relative_divisor_sigma()])
-    }
-
-    /// Which input is responsible for which part of the first-order variance, in reading order; the shares add to 1.
-    /// Empty where every input is exact.
     ///
-    /// Source: JCGM 100:2008 (GUM), 5.1.3: each input's own term of the sum of squares.
-    pub fn variance_budget(&self) -> Vec<Share> {
-        let total = self.relative_sigma();
-        if total == 0.0 {
-            return Vec::new();
-        }
-        self.relative_sigmas()
-            .into_iter()
-            .filter(|&(source, relative)| source != Field::Doffs || relative > 0.0)
-            .map(|(source, relative)| Share {
-                source,
-                share: (relative / total) * (relative / total),
-            })
-            .collect()
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// // The 3 % of the focal length do not count.
+    /// assert!((mug.own_relative_sigma() - 0.04).abs() < 1e-12);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
+    pub fn own_relative_sigma(&self) -> f64 {
+        root_sum_of_squares(&[self.length().1.relative(), self.relative_divisor_sigma()])
     }
 
-    /// The 1 σ interval with every uncertainty and no linearisation: all distances that the inputs do not contradict by
+    /// The 1 σ interval with every uncertainty and no linearization: all distances that the inputs do not contradict by
     /// more than 1 σ.
     ///
     /// Z·(1 ± √(rk² + rx² − rk²·rx²))/(1 − rx²) with rk the relative σ of f·L (rk² = σ_f²/f² + σ_L²/L²) and rx that of the
     /// divisor. There is no upper bound once rx ≥ 1: the divisor may then be 0. The near end is 0 once rk ≥ 1. With rk = 0
     /// it is the interval of the distances at x + σ and x − σ.
     ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// # let exact = |px: f64| Measured::from_base(px, 0.0);
+    /// // Only the disparity is uncertain: the distances at 50 + 20 and 50 − 15 px.
+    /// let at = |sigma| Model::stereo(exact(700.0), Measured::from_base(0.1, 0.0), Measured::from_base(50.0, sigma), exact(0.0));
+    /// assert!((at(20.0)?.interval().near.m() - 1.0).abs() < 1e-12);
+    /// assert!((at(15.0)?.interval().far.unwrap().m() - 2.0).abs() < 1e-12);
+    /// assert_eq!(at(50.0)?.interval().far, None);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
+    ///
     /// Source: E. C. Fieller, Some problems in interval estimation, Journal of the Royal Statistical Society B 16 (1954),
     /// for the ratio of two independent normal variables; f·L is taken to be normal.
     pub fn interval(&self) -> Interval {
         let depth = self.depth().m();
-        let rk = root_sum_of_squares(&[self.focal_length.relative(), self.length.relative()]);
+        let rk = root_sum_of_squares(&[self.focal_length().relative(), self.length().1.relative()]);
         let rx = self.relative_divisor_sigma();
         // (1 − s)·(1 + s) = (1 − rk²)·(1 − rx²) turns the two roots into forms in which nothing cancels.
         let near = if rk < 1.0 {
@@ -200,11 +116,40 @@ impl Model {
     }
 
     /// The relative σ of the divisor: √(σ_d² + σ_δ²)/(d + δ), or σ_p/w_img.
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// assert_eq!(mug.relative_divisor_sigma(), 0.04);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     pub fn relative_divisor_sigma(&self) -> f64 {
         self.divisor().relative()
     }
 
     /// Whether the first-order σ can be trusted: the divisor is known to [10 %](FIRST_ORDER_LIMIT) or better.
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// // 4 % are less than 10 %.
+    /// assert!(mug.first_order_is_good());
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     pub fn first_order_is_good(&self) -> bool {
         self.relative_divisor_sigma() <= FIRST_ORDER_LIMIT
     }
@@ -215,6 +160,21 @@ impl Model {
     /// `None` above rx = 1/3, where the next term of the series, 3·rx⁴, is more than a third of this one. (It is an
     /// asymptotic series: strictly the mean of 1/x does not exist for a normal x.)
     ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// // (4 %)².
+    /// assert!((mug.relative_bias().unwrap() - 0.0016).abs() < 1e-12);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
+    ///
     /// Source: G. Sibley, L. Matthies, G. Sukhatme, Bias reduction and filter convergence for long range stereo, ISRR
     /// 2005; second-order Taylor series of 1/x.
     pub fn relative_bias(&self) -> Option<f64> {
@@ -223,38 +183,68 @@ impl Model {
     }
 
     /// [`relative_bias`](Self::relative_bias) as a length.
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// // f known to 3 %, d to 4 %.
+    /// let mug = Model::stereo(
+    ///     Measured::from_base(700.0, 21.0),
+    ///     Measured::from_base(0.1, 0.0),
+    ///     Measured::from_base(50.0, 2.0),
+    ///     Measured::from_base(0.0, 0.0),
+    /// )?;
+    /// // 0.16 % of 1.4 m.
+    /// assert!((mug.bias().unwrap().m() - 0.00224).abs() < 1e-12);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
     pub fn bias(&self) -> Option<Length> {
         Some(Length::from_m(self.relative_bias()? * self.depth().m()))
     }
+}
 
-    /// f in px.
-    pub const fn focal_length(&self) -> Measured {
-        self.focal_length
+/// How sure one can be of a distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Uncertainty {
+    /// The inputs with their σ.
+    pub model: Model,
+    /// σ of the distance to first order.
+    pub sigma: Length,
+    /// The 1 σ interval without linearization.
+    pub interval: Interval,
+    /// Which input causes which part of the variance; adds to 1.
+    pub budget: Budget,
+    /// How much too far the average of many such distances comes out; `None` where that cannot be said.
+    pub bias: Option<Length>,
+}
+
+impl Uncertainty {
+    pub(crate) fn new(model: Model) -> Self {
+        Self {
+            sigma: model.depth_with_sigma().sigma,
+            interval: model.interval(),
+            budget: model.variance_budget(),
+            bias: model.bias(),
+            model,
+        }
     }
 
-    /// The baseline or the real width, in metres, and which of the two it is.
-    pub const fn length(&self) -> (Field, Measured) {
-        (self.length_source, self.length)
-    }
-
-    /// The disparity or the width in the image, in px without doffs, and which of the two it is.
-    pub const fn pixels(&self) -> (Field, Measured) {
-        (self.pixels_source, self.pixels)
-    }
-
-    /// What the product of focal length and length is divided by, in px: d + δ, or w_img.
-    pub fn divisor(&self) -> Measured {
-        self.pixels.plus(self.doffs)
-    }
-
-    /// The relative σ that each input gives to the distance, in reading order.
-    pub(crate) fn relative_sigmas(&self) -> [(Field, f64); 4] {
-        let of_divisor = |sigma| Measured::new(self.divisor().value, sigma).relative();
-        [
-            (Field::FocalLength, self.focal_length.relative()),
-            (self.length_source, self.length.relative()),
-            (self.pixels_source, of_divisor(self.pixels.sigma)),
-            (Field::Doffs, of_divisor(self.doffs.sigma)),
-        ]
+    /// The input that causes the largest part of the variance.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// mug.set_sigma(Field::FocalLength, 21.0);
+    /// mug.set_sigma(Field::Disparity, 2.0);
+    /// // (4 %)² of (5 %)².
+    /// let cause = mug.solve().stereo_uncertainty.unwrap().main_cause().unwrap();
+    /// assert_eq!(cause.source, Field::Disparity);
+    /// assert!((cause.share - 0.64).abs() < 1e-12);
+    /// ```
+    pub fn main_cause(&self) -> Option<Share> {
+        self.budget.iter().copied().max_by(|a, b| a.share.total_cmp(&b.share))
     }
 }

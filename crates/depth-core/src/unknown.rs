@@ -2,75 +2,131 @@
 //! must have had, the focal length from one photograph at a known distance.
 
 use crate::field::Field;
-use crate::measured::Measured;
+use crate::judge::{self, Term, Unsolvable};
+use crate::measured::{Measured, measured_times_over as times_over};
+use crate::quantity::{Length, Pixels, Quantity};
 
-/// A term of the equation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Term {
-    /// One of the inputs of a distance.
-    Input(Field),
-    /// The distance itself, in metres.
-    Distance,
+/// The unknown of an equation with its σ to first order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Found {
+    /// f
+    FocalLength(Measured<Pixels>),
+    /// b
+    Baseline(Measured<Length>),
+    /// d
+    Disparity(Measured<Pixels>),
+    /// δ
+    Doffs(Measured<Pixels>),
+    /// w_img
+    ImageWidth(Measured<Pixels>),
+    /// w_real
+    RealWidth(Measured<Length>),
+    /// Z
+    Distance(Measured<Length>),
 }
 
-/// Why an equation cannot be solved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unsolvable {
-    /// Exactly one term must be absent.
-    NotOneUnknown,
-    /// This term is not finite, not positive (for a disparity: together with doffs), or its σ is negative.
-    Unusable(Term),
-    /// The solution or its σ is too large or too small to be represented.
-    TooExtreme(Term),
+impl Found {
+    /// Which term it is.
+    ///
+    /// ```
+    /// use depth_core::judge::Term;
+    /// use depth_core::measured::Measured;
+    /// use depth_core::unknown::Found;
+    ///
+    /// assert_eq!(Found::Distance(Measured::from_base(1.4, 0.0)).term(), Term::Distance);
+    /// ```
+    pub const fn term(self) -> Term {
+        match self {
+            Self::FocalLength(_) => Term::Input(Field::FocalLength),
+            Self::Baseline(_) => Term::Input(Field::Baseline),
+            Self::Disparity(_) => Term::Input(Field::Disparity),
+            Self::Doffs(_) => Term::Input(Field::Doffs),
+            Self::ImageWidth(_) => Term::Input(Field::ImageWidth),
+            Self::RealWidth(_) => Term::Input(Field::RealWidth),
+            Self::Distance(_) => Term::Distance,
+        }
+    }
+
+    /// Its value and σ in the base unit (px or meters).
+    ///
+    /// ```
+    /// use depth_core::measured::Measured;
+    /// use depth_core::unknown::Found;
+    ///
+    /// assert_eq!(Found::Distance(Measured::from_base(1.4, 0.1)).to_base(), Measured::new(1.4, 0.1));
+    /// ```
+    pub fn to_base(self) -> Measured<f64> {
+        match self {
+            Self::FocalLength(pixels) | Self::Disparity(pixels) | Self::Doffs(pixels) | Self::ImageWidth(pixels) => pixels.to_base(),
+            Self::Baseline(length) | Self::RealWidth(length) | Self::Distance(length) => length.to_base(),
+        }
+    }
 }
 
-/// Z·(d + δ) = f·b; `None` for what is asked for. Lengths in metres, the others in pixels of one image.
+/// Z·(d + δ) = f·b; `None` for what is asked for. All pixels are those of one image.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StereoEquation {
-    /// f, px
-    pub focal_length: Option<Measured>,
-    /// b, m
-    pub baseline: Option<Measured>,
-    /// d, px
-    pub disparity: Option<Measured>,
-    /// δ = cx_right − cx_left, px: exactly 0 where the principal points coincide
-    pub doffs: Option<Measured>,
-    /// Z, m
-    pub distance: Option<Measured>,
+    /// f
+    pub focal_length: Option<Measured<Pixels>>,
+    /// b
+    pub baseline: Option<Measured<Length>>,
+    /// d
+    pub disparity: Option<Measured<Pixels>>,
+    /// δ = cx_right − cx_left: exactly 0 where the principal points coincide
+    pub doffs: Option<Measured<Pixels>>,
+    /// Z
+    pub distance: Option<Measured<Length>>,
 }
 
-/// Z·w_img = f·w_real; `None` for what is asked for. Lengths in metres, the others in pixels of one image.
+/// Z·w_img = f·w_real; `None` for what is asked for. All pixels are those of one image.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MonocularEquation {
-    /// f, px
-    pub focal_length: Option<Measured>,
-    /// w_real, m
-    pub real_width: Option<Measured>,
-    /// w_img, px
-    pub image_width: Option<Measured>,
-    /// Z, m
-    pub distance: Option<Measured>,
+    /// f
+    pub focal_length: Option<Measured<Pixels>>,
+    /// w_real
+    pub real_width: Option<Measured<Length>>,
+    /// w_img
+    pub image_width: Option<Measured<Pixels>>,
+    /// Z
+    pub distance: Option<Measured<Length>>,
 }
 
 impl StereoEquation {
     /// The unknown and its value, with its σ to first order.
     ///
+    /// ```
+    /// use depth_core::measured::Measured;
+    /// use depth_core::unknown::{Found, StereoEquation};
+    ///
+    /// // At what disparity does something 2 m away appear?
+    /// let found = StereoEquation {
+    ///     focal_length: Some(Measured::from_base(700.0, 0.0)),
+    ///     baseline: Some(Measured::from_base(0.1, 0.0)),
+    ///     disparity: None,
+    ///     doffs: Some(Measured::from_base(0.0, 0.0)),
+    ///     distance: Some(Measured::from_base(2.0, 0.0)),
+    /// }
+    /// .solve()?;
+    /// assert_eq!(found, Found::Disparity(Measured::from_base(35.0, 0.0)));
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Unsolvable`] says which term to look at.
     ///
     /// Source: the Middlebury 2014 calibration format's Z = f·b/(d + doffs), rearranged; JCGM 100:2008 (GUM), 5.1.
-    pub fn solve(&self) -> Result<(Term, Measured), Unsolvable> {
+    pub fn solve(&self) -> Result<Found, Unsolvable> {
         let focal_length = positive(self.focal_length, Term::Input(Field::FocalLength))?;
         let baseline = positive(self.baseline, Term::Input(Field::Baseline))?;
-        let disparity = possible(self.disparity, Term::Input(Field::Disparity))?;
-        let doffs = possible(self.doffs, Term::Input(Field::Doffs))?;
+        let disparity = finite(self.disparity, Term::Input(Field::Disparity))?;
+        let doffs = finite(self.doffs, Term::Input(Field::Doffs))?;
         let distance = positive(self.distance, Term::Distance)?;
         match (focal_length, baseline, disparity, doffs, distance) {
-            (None, Some(b), Some(d), Some(o), Some(z)) => solution(Field::FocalLength, Measured::times_over(z, divisor(d, o)?, b)),
-            (Some(f), None, Some(d), Some(o), Some(z)) => solution(Field::Baseline, Measured::times_over(z, divisor(d, o)?, f)),
-            (Some(f), Some(b), None, Some(o), Some(z)) => solution(Field::Disparity, difference(Measured::times_over(f, b, z), o)),
-            (Some(f), Some(b), Some(d), None, Some(z)) => solution(Field::Doffs, difference(Measured::times_over(f, b, z), d)),
-            (Some(f), Some(b), Some(d), Some(o), None) => distance_of(Measured::times_over(f, b, divisor(d, o)?)),
+            (None, Some(b), Some(d), Some(o), Some(z)) => found(times_over(z, divisor(d, o)?, b), Found::FocalLength),
+            (Some(f), None, Some(d), Some(o), Some(z)) => found(times_over(z, divisor(d, o)?, f), Found::Baseline),
+            (Some(f), Some(b), None, Some(o), Some(z)) => found(shift(f, b, z).map(|shift| shift.minus(o)), Found::Disparity),
+            (Some(f), Some(b), Some(d), None, Some(z)) => found(shift(f, b, z).map(|shift| shift.minus(d)), Found::Doffs),
+            (Some(f), Some(b), Some(d), Some(o), None) => found(times_over(f, b, divisor(d, o)?), Found::Distance),
             _ => Err(Unsolvable::NotOneUnknown),
         }
     }
@@ -79,64 +135,64 @@ impl StereoEquation {
 impl MonocularEquation {
     /// The unknown and its value, with its σ to first order.
     ///
+    /// ```
+    /// use depth_core::measured::Measured;
+    /// use depth_core::unknown::{Found, MonocularEquation};
+    ///
+    /// // A photograph of 0.5 m at 2 m, 175 px wide: f = 175 px · 2 m / 0.5 m.
+    /// let found = MonocularEquation {
+    ///     focal_length: None,
+    ///     real_width: Some(Measured::from_base(0.5, 0.0)),
+    ///     image_width: Some(Measured::from_base(175.0, 0.0)),
+    ///     distance: Some(Measured::from_base(2.0, 0.0)),
+    /// }
+    /// .solve()?;
+    /// assert_eq!(found, Found::FocalLength(Measured::from_base(700.0, 0.0)));
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Unsolvable`] says which term to look at.
     ///
     /// Source: pinhole projection by similar triangles, rearranged; JCGM 100:2008 (GUM), 5.1.6.
-    pub fn solve(&self) -> Result<(Term, Measured), Unsolvable> {
+    pub fn solve(&self) -> Result<Found, Unsolvable> {
         let focal_length = positive(self.focal_length, Term::Input(Field::FocalLength))?;
         let real_width = positive(self.real_width, Term::Input(Field::RealWidth))?;
         let image_width = positive(self.image_width, Term::Input(Field::ImageWidth))?;
         let distance = positive(self.distance, Term::Distance)?;
         match (focal_length, real_width, image_width, distance) {
-            (None, Some(w), Some(p), Some(z)) => solution(Field::FocalLength, Measured::times_over(z, p, w)),
-            (Some(f), None, Some(p), Some(z)) => solution(Field::RealWidth, Measured::times_over(z, p, f)),
-            (Some(f), Some(w), None, Some(z)) => solution(Field::ImageWidth, Measured::times_over(f, w, z)),
-            (Some(f), Some(w), Some(p), None) => distance_of(Measured::times_over(f, w, p)),
+            (None, Some(w), Some(p), Some(z)) => found(times_over(z, p, w), Found::FocalLength),
+            (Some(f), None, Some(p), Some(z)) => found(times_over(z, p, f), Found::RealWidth),
+            (Some(f), Some(w), None, Some(z)) => found(times_over(f, w, z), Found::ImageWidth),
+            (Some(f), Some(w), Some(p), None) => found(times_over(f, w, p), Found::Distance),
             _ => Err(Unsolvable::NotOneUnknown),
         }
     }
 }
 
-fn positive(given: Option<Measured>, term: Term) -> Result<Option<Measured>, Unsolvable> {
-    match given {
-        Some(measured) if !measured.is_positive() => Err(Unsolvable::Unusable(term)),
-        given => Ok(given),
-    }
+/// A term that is given must be positive.
+fn positive<Q: Quantity>(given: Option<Measured<Q>>, term: Term) -> Result<Option<Measured<Q>>, Unsolvable> {
+    given.map(|given| judge::positive_measured(term, given)).transpose()
 }
 
-fn possible(given: Option<Measured>, term: Term) -> Result<Option<Measured>, Unsolvable> {
-    match given {
-        Some(measured) if !measured.is_possible() => Err(Unsolvable::Unusable(term)),
-        given => Ok(given),
-    }
+/// A term that is given may have either sign.
+fn finite<Q: Quantity>(given: Option<Measured<Q>>, term: Term) -> Result<Option<Measured<Q>>, Unsolvable> {
+    given.map(|given| judge::finite_measured(term, given)).transpose()
 }
 
 /// d + δ, which must be positive.
-fn divisor(disparity: Measured, doffs: Measured) -> Result<Measured, Unsolvable> {
-    let sum = disparity.plus(doffs);
-    if sum.is_positive() {
-        Ok(sum)
-    } else {
-        Err(Unsolvable::Unusable(Term::Input(Field::Disparity)))
-    }
+fn divisor(disparity: Measured<Pixels>, doffs: Measured<Pixels>) -> Result<Measured<Pixels>, Unsolvable> {
+    judge::positive_measured(Term::Input(Field::Disparity), disparity.plus(doffs))
 }
 
-fn difference(whole: Option<Measured>, part: Measured) -> Option<Measured> {
-    whole.map(|whole| whole.plus(Measured::new(-part.value, part.sigma)))
+/// d + δ that belongs to a distance, f·b/Z.
+fn shift(f: Measured<Pixels>, b: Measured<Length>, z: Measured<Length>) -> Option<Measured<Pixels>> {
+    times_over(f, b, z)
 }
 
-fn solution(source: Field, value: Option<Measured>) -> Result<(Term, Measured), Unsolvable> {
-    found(Term::Input(source), value)
-}
-
-fn distance_of(value: Option<Measured>) -> Result<(Term, Measured), Unsolvable> {
-    found(Term::Distance, value)
-}
-
-fn found(term: Term, value: Option<Measured>) -> Result<(Term, Measured), Unsolvable> {
-    value
-        .filter(|measured| measured.is_possible())
-        .map(|measured| (term, measured))
-        .ok_or(Unsolvable::TooExtreme(term))
+/// `value` as the `unknown`, where it can be represented.
+fn found<Q: Quantity>(value: Option<Measured<Q>>, unknown: fn(Measured<Q>) -> Found) -> Result<Found, Unsolvable> {
+    let term = unknown(Measured::exact(Q::ZERO)).term();
+    let value = value.filter(|&value| judge::finite_measured(term, value).is_ok());
+    value.map(unknown).ok_or(Unsolvable::too_extreme(term))
 }

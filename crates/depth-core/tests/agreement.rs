@@ -1,35 +1,36 @@
 //! Two distances together: golden figures, the table of special cases, simulated errors, and each typical blunder.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
-use depth_core::agreement::{Suspect, Verdict, combine, compare};
+use depth_core::agreement::{Suspect, Verdict, combine, compare, suspects};
 use depth_core::field::Field;
 use depth_core::measured::Measured;
-use depth_core::quantity::{Length, LengthUnit};
+use depth_core::quantity::{Length, LengthUnit, Pixels, Quantity};
 use depth_core::uncertainty::Model;
+use depth_generators::{any_magnitude, any_relative_sigma};
 use proptest::prelude::*;
 
-const NO_DOFFS: Measured = Measured::exact(0.0);
+const NO_DOFFS: Measured<Pixels> = Measured::exact(Pixels::new(0.0));
 
-fn stereo(f: Measured, b: Measured, d: Measured) -> Model {
+fn stereo(f: Measured<Pixels>, b: Measured<Length>, d: Measured<Pixels>) -> Model {
     Model::stereo(f, b, d, NO_DOFFS).unwrap()
 }
 
-fn monocular(f: Measured, w: Measured, p: Measured) -> Model {
+fn monocular(f: Measured<Pixels>, w: Measured<Length>, p: Measured<Pixels>) -> Model {
     Model::monocular(f, w, p).unwrap()
 }
 
-const F: Measured = Measured::new(700.0, 2.0);
-const B: Measured = Measured::new(0.1, 0.0005);
-const D: Measured = Measured::new(50.0, 0.5);
-const W: Measured = Measured::new(0.30, 0.01);
-const P: Measured = Measured::new(150.0, 2.0);
+const F: Measured<Pixels> = Measured::new(Pixels::new(700.0), Pixels::new(2.0));
+const B: Measured<Length> = Measured::new(Length::from_m(0.1), Length::from_m(0.0005));
+const D: Measured<Pixels> = Measured::new(Pixels::new(50.0), Pixels::new(0.5));
+const W: Measured<Length> = Measured::new(Length::from_m(0.30), Length::from_m(0.01));
+const P: Measured<Pixels> = Measured::new(Pixels::new(150.0), Pixels::new(2.0));
 
 /// Two models of a distance each, with the relative σ that they have of their own and the one that they share.
 fn pair(z: [f64; 2], r: [f64; 2], rf: f64) -> (Model, Model) {
-    let f = Measured::new(1.0, rf);
+    let f = Measured::from_base(1.0, rf);
     (
-        stereo(f, Measured::new(z[0], z[0] * r[0]), Measured::exact(1.0)),
-        monocular(f, Measured::new(z[1], z[1] * r[1]), Measured::exact(1.0)),
+        stereo(f, Measured::from_base(z[0], z[0] * r[0]), Measured::from_base(1.0, 0.0)),
+        monocular(f, Measured::from_base(z[1], z[1] * r[1]), Measured::from_base(1.0, 0.0)),
     )
 }
 
@@ -40,8 +41,8 @@ fn assert_near(value: f64, expected: f64, tolerance: f64) {
 #[test]
 fn the_two_distances_of_the_mug_together_are_1400_mm_give_or_take_15() {
     let combined = combine(&stereo(F, B, D), &monocular(F, W, P)).unwrap();
-    assert_near(combined.value, 1.4, 1e-12);
-    assert_near(combined.sigma, 0.01547, 5e-6);
+    assert_near(combined.value.m(), 1.4, 1e-12);
+    assert_near(combined.sigma.m(), 0.01547, 5e-6);
 }
 
 #[test]
@@ -50,17 +51,17 @@ fn the_combination_stays_between_where_the_optimal_weights_do_not() {
     let (first, second) = pair([1.4, 1.7], [0.01, 0.03], 0.05);
     let combined = combine(&first, &second).unwrap();
     // By hand: weights 0.9 and 0.1 of the logarithms.
-    assert_near(combined.value, 1.4_f64.powf(0.9) * 1.7_f64.powf(0.1), 1e-12);
+    assert_near(combined.value.m(), 1.4_f64.powf(0.9) * 1.7_f64.powf(0.1), 1e-12);
     assert_near(combined.relative(), (0.00009_f64 + 0.0025).sqrt(), 1e-12);
 }
 
 #[test]
 fn a_distance_without_uncertainty_of_its_own_wins_and_two_such_cannot_be_weighed() {
     let (first, second) = pair([1.4, 1.7], [0.0, 0.1], 0.05);
-    assert_eq!(combine(&first, &second).unwrap().value, 1.4);
+    assert_eq!(combine(&first, &second).unwrap().value.m(), 1.4);
     assert_near(combine(&first, &second).unwrap().relative(), 0.05, 1e-15);
     let (first, second) = pair([1.4, 1.7], [0.1, 0.0], 0.0);
-    assert_eq!(combine(&first, &second), Some(Measured::exact(1.7)));
+    assert_eq!(combine(&first, &second), Some(Measured::from_base(1.7, 0.0)));
     let (first, second) = pair([1.4, 1.7], [0.0, 0.0], 0.05);
     assert_eq!(combine(&first, &second), None);
     let agreement = compare(&first, &second);
@@ -85,14 +86,22 @@ fn normal_numbers() -> impl FnMut() -> f64 {
 fn the_combined_sigma_is_that_of_simulated_measurements() {
     let n = 100_000;
     let mut normal = normal_numbers();
-    let mut measure = |quantity: Measured| quantity.value + quantity.sigma * normal();
+    let mut measure = |quantity: Measured<f64>| quantity.value + quantity.sigma * normal();
     let claimed = combine(&stereo(F, B, D), &monocular(F, W, P)).unwrap().relative();
     let logs: Vec<f64> = (0..n)
         .map(|_| {
-            let f = Measured::new(measure(F), F.sigma);
-            let first = stereo(f, Measured::new(measure(B), B.sigma), Measured::new(measure(D), D.sigma));
-            let second = monocular(f, Measured::new(measure(W), W.sigma), Measured::new(measure(P), P.sigma));
-            combine(&first, &second).unwrap().value.ln()
+            let f = Measured::from_base(measure(F.to_base()), F.sigma.px());
+            let first = stereo(
+                f,
+                Measured::from_base(measure(B.to_base()), B.sigma.m()),
+                Measured::from_base(measure(D.to_base()), D.sigma.px()),
+            );
+            let second = monocular(
+                f,
+                Measured::from_base(measure(W.to_base()), W.sigma.m()),
+                Measured::from_base(measure(P.to_base()), P.sigma.px()),
+            );
+            combine(&first, &second).unwrap().value.m().ln()
         })
         .collect();
     let mean = logs.iter().sum::<f64>() / f64::from(n);
@@ -115,36 +124,39 @@ fn the_verdict_follows_the_difference_in_sigmas() {
         let agreement = compare(&first, &second);
         assert_near(agreement.z.unwrap(), sigmas, 1e-9);
         assert_eq!(agreement.verdict, Some(verdict));
-        assert_eq!(agreement.suspects.is_empty(), verdict == Verdict::Agree);
+        assert_eq!(suspects(&first, &second).is_empty(), verdict == Verdict::Agree);
     }
 }
 
 /// The suspects when one input of the mug is off by a factor.
-fn suspects(b: f64, d: f64, w: f64, p: f64) -> Vec<Suspect> {
-    let times = |quantity: Measured, factor: f64| Measured::new(quantity.value * factor, quantity.sigma * factor);
-    compare(&stereo(F, times(B, b), times(D, d)), &monocular(F, times(W, w), times(P, p))).suspects
+fn suspects_of(b: f64, d: f64, w: f64, p: f64) -> Vec<Suspect> {
+    fn times<Q: Quantity>(quantity: Measured<Q>, factor: f64) -> Measured<Q> {
+        let Measured { value, sigma } = quantity.to_base();
+        Measured::from_base(value * factor, sigma * factor)
+    }
+    suspects(&stereo(F, times(B, b), times(D, d)), &monocular(F, times(W, w), times(P, p)))
 }
 
 #[test]
-fn a_raw_disparity_is_recognised() {
-    assert_eq!(suspects(1.0, 16.0, 1.0, 1.0)[0], Suspect::RawDisparity { scale: 16.0 });
-    assert_eq!(suspects(1.0, 15.5, 1.0, 1.0)[0], Suspect::RawDisparity { scale: 16.0 });
-    assert_eq!(suspects(1.0, 256.0, 1.0, 1.0)[0], Suspect::RawDisparity { scale: 256.0 });
+fn a_raw_disparity_is_recognized() {
+    assert_eq!(suspects_of(1.0, 16.0, 1.0, 1.0)[0], Suspect::RawDisparity { scale: 16.0 });
+    assert_eq!(suspects_of(1.0, 15.5, 1.0, 1.0)[0], Suspect::RawDisparity { scale: 16.0 });
+    assert_eq!(suspects_of(1.0, 256.0, 1.0, 1.0)[0], Suspect::RawDisparity { scale: 256.0 });
     let is_raw = |suspect: &Suspect| matches!(suspect, Suspect::RawDisparity { .. });
     assert!(
-        !suspects(1.0, 1.0 / 16.0, 1.0, 1.0).iter().any(is_raw),
+        !suspects_of(1.0, 1.0 / 16.0, 1.0, 1.0).iter().any(is_raw),
         "too far is no raw disparity"
     );
 }
 
 #[test]
-fn every_slip_of_the_unit_is_recognised_in_either_length() {
+fn every_slip_of_the_unit_is_recognized_in_either_length() {
     for taken in LengthUnit::ALL {
         for meant in LengthUnit::ALL.into_iter().filter(|&meant| meant != taken) {
             let factor = Length::new(1.0, taken).m() / Length::new(1.0, meant).m();
             for (source, found) in [
-                (Field::Baseline, suspects(factor, 1.0, 1.0, 1.0)),
-                (Field::RealWidth, suspects(1.0, 1.0, factor, 1.0)),
+                (Field::Baseline, suspects_of(factor, 1.0, 1.0, 1.0)),
+                (Field::RealWidth, suspects_of(1.0, 1.0, factor, 1.0)),
             ] {
                 let slip = Suspect::Unit { source, taken, meant };
                 let place = found.iter().position(|&suspect| suspect == slip);
@@ -156,16 +168,19 @@ fn every_slip_of_the_unit_is_recognised_in_either_length() {
 }
 
 #[test]
-fn a_resized_image_is_recognised() {
+fn a_resized_image_is_recognized() {
     let resized = |source, times| Suspect::Resized { source, times };
-    assert!(suspects(1.0, 2.0, 1.0, 1.0)[..2].contains(&resized(Field::Disparity, 2.0)));
-    assert!(suspects(1.0, 0.5, 1.0, 1.0)[..2].contains(&resized(Field::Disparity, 0.5)));
-    assert!(suspects(1.0, 1.0, 1.0, 2.0)[..2].contains(&resized(Field::ImageWidth, 2.0)));
+    assert!(suspects_of(1.0, 2.0, 1.0, 1.0)[..2].contains(&resized(Field::Disparity, 2.0)));
+    assert!(suspects_of(1.0, 0.5, 1.0, 1.0)[..2].contains(&resized(Field::Disparity, 0.5)));
+    assert!(suspects_of(1.0, 1.0, 1.0, 2.0)[..2].contains(&resized(Field::ImageWidth, 2.0)));
 }
 
 #[test]
 fn without_a_typical_factor_the_exact_and_the_vaguest_inputs_are_suspected() {
-    let found = compare(&stereo(F, Measured::exact(0.14), D), &monocular(F, Measured::exact(0.30), P)).suspects;
+    let found = suspects(
+        &stereo(F, Measured::from_base(0.14, 0.0), D),
+        &monocular(F, Measured::from_base(0.30, 0.0), P),
+    );
     assert_eq!(
         found,
         [
@@ -175,21 +190,9 @@ fn without_a_typical_factor_the_exact_and_the_vaguest_inputs_are_suspected() {
         ]
     );
     // The focal length cancels: however vague, it is no suspect.
-    let vague = Measured::new(700.0, 300.0);
-    let found = compare(&stereo(vague, Measured::new(0.14, 0.0005), D), &monocular(vague, W, P)).suspects;
+    let vague = Measured::from_base(700.0, 300.0);
+    let found = suspects(&stereo(vague, Measured::from_base(0.14, 0.0005), D), &monocular(vague, W, P));
     assert_eq!(found, [Suspect::LargestSigma(Field::RealWidth)]);
-}
-
-fn any_magnitude() -> impl Strategy<Value = f64> {
-    (-300.0..300.0_f64).prop_map(|exponent| 10.0_f64.powf(exponent))
-}
-
-fn any_relative() -> impl Strategy<Value = f64> {
-    prop_oneof![
-        Just(0.0),
-        0.0..3.0_f64,
-        (-200.0..5.0_f64).prop_map(|exponent| 10.0_f64.powf(exponent))
-    ]
 }
 
 proptest! {
@@ -197,27 +200,27 @@ proptest! {
 
     #[test]
     fn the_combination_lies_between_and_is_never_vaguer_than_the_better_one(
-        z in [any_magnitude(), any_magnitude()], r in [any_relative(), any_relative()], rf in any_relative(),
+        z in [any_magnitude(), any_magnitude()], r in [any_relative_sigma(), any_relative_sigma()], rf in any_relative_sigma(),
     ) {
         let (first, second) = pair(z, r, rf);
         let Some(combined) = combine(&first, &second) else {
             prop_assert_eq!(first.own_relative_sigma().max(second.own_relative_sigma()), 0.0);
             return Ok(());
         };
-        prop_assert!(combined.value >= z[0].min(z[1]) && combined.value <= z[0].max(z[1]));
-        prop_assert!(combined.sigma.is_finite() && combined.sigma >= 0.0);
+        prop_assert!(combined.value.m() >= z[0].min(z[1]) && combined.value.m() <= z[0].max(z[1]));
+        prop_assert!(combined.sigma.m().is_finite() && combined.sigma.m() >= 0.0);
         let better = first.relative_sigma().min(second.relative_sigma());
         // A σ may be too small to be represented but by the smallest number there is.
-        let most = combined.value * better * (1.0 + 1e-12) + f64::from_bits(1);
-        prop_assert!(combined.sigma <= most, "{} {}", combined.sigma, most);
+        let most = combined.value.m() * better * (1.0 + 1e-12) + f64::from_bits(1);
+        prop_assert!(combined.sigma.m() <= most, "{} {}", combined.sigma.m(), most);
         // Nothing depends on which comes first.
         let swapped = combine(&second, &first).unwrap();
-        prop_assert!((swapped.value / combined.value - 1.0).abs() < 1e-9, "{} {}", swapped.value, combined.value);
+        prop_assert!((swapped.value.m() / combined.value.m() - 1.0).abs() < 1e-9, "{} {}", swapped.value.m(), combined.value.m());
     }
 
     #[test]
     fn the_comparison_is_finite_at_every_magnitude(
-        z in [any_magnitude(), any_magnitude()], r in [any_relative(), any_relative()], rf in any_relative(),
+        z in [any_magnitude(), any_magnitude()], r in [any_relative_sigma(), any_relative_sigma()], rf in any_relative_sigma(),
     ) {
         let (first, second) = pair(z, r, rf);
         let agreement = compare(&first, &second);

@@ -1,13 +1,15 @@
 //! Where a camera's numbers come from: OpenCV's and the makers' figures, exact geometry, every magnitude.
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "tests")]
 
 use depth_core::angle::Angle;
 use depth_core::camera::{
-    GroundView, Intrinsics, NoGround, SENSOR_FORMATS, depth_of_tilted_target, diagonal, field_of_view, focal_length_from_field_of_view,
+    GroundView, Intrinsics, SENSOR_FORMATS, depth_of_tilted_target, diagonal, field_of_view, focal_length_from_field_of_view,
     focal_length_from_pixel_pitch, focal_length_from_reference_photo, focal_length_from_sensor_width, pixel_size,
 };
+use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
 use depth_core::quantity::{Length, LengthUnit, Pixels};
+use depth_generators::any_sign_and_magnitude;
 use proptest::prelude::*;
 
 fn mm(value: f64) -> Length {
@@ -104,12 +106,12 @@ fn a_resized_camera_keeps_its_rays() {
     assert_eq!((half.cx, half.cy), (px(304.75), px(174.75)));
     assert_eq!(camera.resized(px(0.0), px(360.0)), None);
     // The middle of an image stays its middle.
-    let centred = Intrinsics {
+    let centered = Intrinsics {
         cx: px(639.5),
         cy: px(359.5),
         ..camera
     };
-    let third = centred.resized(px(426.0), px(240.0)).unwrap();
+    let third = centered.resized(px(426.0), px(240.0)).unwrap();
     assert_near(third.cx.px(), 212.5, 1e-12);
     assert_near(third.cy.px(), 119.5, 1e-12);
 }
@@ -164,9 +166,9 @@ fn a_tilted_target_reads_too_long() {
 
 fn floor_view() -> GroundView {
     GroundView {
-        height: Measured::new(1.5, 0.02),
-        pitch: Measured::new(10.0_f64.to_radians(), 0.5_f64.to_radians()),
-        row: Measured::new(400.0, 1.5),
+        height: Measured::from_base(1.5, 0.02),
+        pitch: Measured::from_base(10.0_f64.to_radians(), 0.5_f64.to_radians()),
+        row: Measured::from_base(400.0, 1.5),
         fy: px(705.0),
         cy: px(350.0),
     }
@@ -176,22 +178,22 @@ fn floor_view() -> GroundView {
 fn the_ray_of_a_row_meets_the_floor_where_geometry_says() {
     // Looking 45° down along the axis: as far as high.
     let view = GroundView {
-        pitch: Measured::exact(45.0_f64.to_radians()),
-        row: Measured::exact(350.0),
+        pitch: Measured::from_base(45.0_f64.to_radians(), 0.0),
+        row: Measured::from_base(350.0, 0.0),
         ..floor_view()
     };
-    assert_near(view.distance().unwrap().value, 1.5, 1e-12);
+    assert_near(view.distance().unwrap().value.m(), 1.5, 1e-12);
     // In general: turn the ray (0, t, 1) down by the pitch and cut it at the height.
     for (pitch, row) in [(0.0_f64, 360.0), (10.0, 400.0), (10.0, 300.0), (-5.0, 700.0), (30.0, 0.0)] {
         let (sin, cos) = pitch.to_radians().sin_cos();
         let t = (row - 350.0) / 705.0;
         let expected = 1.5 * (cos - t * sin) / (t * cos + sin);
         let view = GroundView {
-            pitch: Measured::exact(pitch.to_radians()),
-            row: Measured::exact(row),
+            pitch: Measured::from_base(pitch.to_radians(), 0.0),
+            row: Measured::from_base(row, 0.0),
             ..floor_view()
         };
-        assert_near(view.distance().unwrap().value / expected, 1.0, 1e-12);
+        assert_near(view.distance().unwrap().value.m() / expected, 1.0, 1e-12);
     }
 }
 
@@ -200,30 +202,30 @@ fn the_floors_sigma_is_that_of_the_numerical_derivatives() {
     let view = floor_view();
     let at = |height: f64, pitch: f64, row: f64| {
         let moved = GroundView {
-            height: Measured::exact(view.height.value + height),
-            pitch: Measured::exact(view.pitch.value + pitch),
-            row: Measured::exact(view.row.value + row),
+            height: Measured::from_base(view.height.value.m() + height, 0.0),
+            pitch: Measured::from_base(view.pitch.value.radians() + pitch, 0.0),
+            row: Measured::from_base(view.row.value.px() + row, 0.0),
             ..view
         };
-        moved.distance().unwrap().value
+        moved.distance().unwrap().value.m()
     };
     let step = 1e-5;
     let slopes = [
-        (at(step, 0.0, 0.0) - at(-step, 0.0, 0.0)) * view.height.sigma,
-        (at(0.0, step, 0.0) - at(0.0, -step, 0.0)) * view.pitch.sigma,
-        (at(0.0, 0.0, step) - at(0.0, 0.0, -step)) * view.row.sigma,
+        (at(step, 0.0, 0.0) - at(-step, 0.0, 0.0)) * view.height.sigma.m(),
+        (at(0.0, step, 0.0) - at(0.0, -step, 0.0)) * view.pitch.sigma.radians(),
+        (at(0.0, 0.0, step) - at(0.0, 0.0, -step)) * view.row.sigma.px(),
     ];
     let sigma = slopes.iter().map(|slope| (slope / (2.0 * step)).powi(2)).sum::<f64>().sqrt();
-    assert_near(view.distance().unwrap().sigma / sigma, 1.0, 1e-7);
+    assert_near(view.distance().unwrap().sigma.m() / sigma, 1.0, 1e-7);
     // The published slope for the pitch alone.
     let only_pitch = GroundView {
-        height: Measured::exact(1.5),
-        row: Measured::exact(400.0),
+        height: Measured::from_base(1.5, 0.0),
+        row: Measured::from_base(400.0, 0.0),
         ..view
     };
     let found = only_pitch.distance().unwrap();
-    let slope = (found.value * found.value + 1.5 * 1.5) / 1.5;
-    assert_near(found.sigma / (slope * view.pitch.sigma), 1.0, 1e-12);
+    let slope = (found.value.m() * found.value.m() + 1.5 * 1.5) / 1.5;
+    assert_near(found.sigma.m() / (slope * view.pitch.sigma.radians()), 1.0, 1e-12);
 }
 
 #[test]
@@ -232,26 +234,40 @@ fn above_the_horizon_there_is_no_floor() {
     let horizon = view.horizon_row().unwrap().px();
     assert_near(horizon, 350.0 - 705.0 * 10.0_f64.to_radians().tan(), 1e-10);
     let at = |row| GroundView {
-        row: Measured::exact(row),
+        row: Measured::from_base(row, 0.0),
         ..view
     };
-    assert_eq!(at(horizon - 0.01).distance(), Err(NoGround::AboveHorizon));
-    assert!(at(horizon + 0.01).distance().unwrap().value > 1e4);
+    let above = Err(Unsolvable::AboveHorizon {
+        horizon: Some(px(horizon)),
+    });
+    assert_eq!(at(horizon - 0.01).distance(), above);
+    assert!(at(horizon + 0.01).distance().unwrap().value.m() > 1e4);
     let level = GroundView {
-        pitch: Measured::exact(0.0),
+        pitch: Measured::from_base(0.0, 0.0),
         ..at(350.0)
     };
-    assert_eq!(level.distance(), Err(NoGround::AboveHorizon), "the horizon itself");
+    let above = Err(Unsolvable::AboveHorizon { horizon: Some(px(350.0)) });
+    assert_eq!(level.distance(), above, "the horizon itself");
     let down = GroundView {
-        pitch: Measured::exact(80.0_f64.to_radians()),
+        pitch: Measured::from_base(80.0_f64.to_radians(), 0.0),
         ..at(600.0)
     };
-    assert_eq!(down.distance(), Err(NoGround::BelowCamera));
+    let Err(Unsolvable::BelowCamera { down }) = down.distance() else {
+        panic!("the ray meets the floor");
+    };
+    // 80° and atan(250/705).
+    assert_near(down.degrees(), 80.0 + 19.525, 0.001);
     let flat = GroundView {
-        height: Measured::exact(0.0),
+        height: Measured::from_base(0.0, 0.0),
         ..view
     };
-    assert_eq!(flat.distance(), Err(NoGround::Unusable));
+    assert_eq!(
+        flat.distance(),
+        Err(Unsolvable::Value {
+            term: Term::CameraHeight,
+            refusal: Refusal::Zero
+        })
+    );
     assert_eq!(flat.horizon_row(), None);
 }
 
@@ -270,14 +286,6 @@ fn an_inch_of_a_sensor_format_is_about_16_mm_of_diagonal() {
     assert!(SENSOR_FORMATS.windows(2).all(|pair| pair[0].width_mm < pair[1].width_mm));
     let name = |name| SENSOR_FORMATS.iter().find(|format| format.name == name).unwrap();
     assert_eq!((name("Full frame").width_mm, name("Full frame").height_mm), (36.0, 24.0));
-}
-
-fn any_number() -> impl Strategy<Value = f64> {
-    prop_oneof![
-        (-300.0..300.0_f64).prop_map(|exponent| 10.0_f64.powf(exponent)),
-        (-300.0..300.0_f64).prop_map(|exponent| -10.0_f64.powf(exponent)),
-        Just(0.0),
-    ]
 }
 
 proptest! {
@@ -309,7 +317,7 @@ proptest! {
 
     #[test]
     fn every_result_is_finite_at_every_magnitude(
-        n in prop::array::uniform6(any_number()), z in any_number(), u in any_number(),
+        n in prop::array::uniform6(any_sign_and_magnitude()), z in any_sign_and_magnitude(), u in any_sign_and_magnitude(),
     ) {
         let [fx, fy, cx, cy, width, height] = n.map(px);
         let camera = Intrinsics { fx, fy, cx, cy, width, height };
@@ -333,16 +341,16 @@ proptest! {
             prop_assert!(f.px().is_normal() && f.px() > 0.0);
         }
         let view = GroundView {
-            height: Measured::new(n[0], n[1]),
-            pitch: Measured::new(n[2], n[3]),
-            row: Measured::new(n[4], n[5]),
+            height: Measured::from_base(n[0], n[1]),
+            pitch: Measured::from_base(n[2], n[3]),
+            row: Measured::from_base(n[4], n[5]),
             fy: px(z),
             cy: px(u),
         };
         prop_assert!(view.horizon_row().is_none_or(|row| row.px().is_finite()));
         if let Ok(distance) = view.distance() {
-            prop_assert!(distance.value > 0.0 && distance.value.is_finite());
-            prop_assert!(distance.sigma.is_finite() && distance.sigma >= 0.0);
+            prop_assert!(distance.value.m() > 0.0 && distance.value.m().is_finite());
+            prop_assert!(distance.sigma.m().is_finite() && distance.sigma.m() >= 0.0);
         }
     }
 }

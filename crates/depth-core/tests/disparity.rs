@@ -60,16 +60,16 @@ fn each_encoding_refuses_its_own_mark_and_what_it_cannot_hold() {
 
 #[test]
 fn columns_and_principal_points_give_the_ros_disparity() {
-    let (left, right) = (Measured::new(660.0, 0.3), Measured::new(610.0, 0.4));
-    let (cx_left, cx_right) = (Measured::exact(610.0), Measured::exact(650.0));
+    let (left, right) = (Measured::from_base(660.0, 0.3), Measured::from_base(610.0, 0.4));
+    let (cx_left, cx_right) = (Measured::from_base(610.0, 0.0), Measured::from_base(650.0, 0.0));
     let d = from_columns(left, right);
     let o = doffs(cx_left, cx_right);
-    assert_eq!(d.value, 50.0);
-    assert!((d.sigma - 0.5).abs() < 1e-15);
-    assert_eq!(o, Measured::exact(40.0));
+    assert_eq!(d.value.px(), 50.0);
+    assert!((d.sigma.px() - 0.5).abs() < 1e-15);
+    assert_eq!(o, Measured::from_base(40.0, 0.0));
     // ROS: x_l − x_r − (cx_l − cx_r).
-    let model = Model::stereo(Measured::exact(700.0), Measured::exact(0.1), d, o).unwrap();
-    assert_eq!(model.divisor().value, 660.0 - 610.0 - (610.0 - 650.0));
+    let model = Model::stereo(Measured::from_base(700.0, 0.0), Measured::from_base(0.1, 0.0), d, o).unwrap();
+    assert_eq!(model.divisor().value.px(), 660.0 - 610.0 - (610.0 - 650.0));
 }
 
 /// What OpenCV's stereoRectify returns for f 700 px, T = (−100, 0, 0), cx 610 and 650, cy 350.
@@ -89,10 +89,10 @@ fn opencvs_matrix_is_read() {
     assert_eq!((geometry.cx, geometry.cy), (Pixels::new(610.0), Pixels::new(350.0)));
     assert!(!geometry.swapped);
     let model = Model::stereo(
-        Measured::exact(geometry.focal_length.px()),
-        Measured::exact(geometry.baseline),
-        Measured::exact(50.0),
-        Measured::exact(geometry.doffs.px()),
+        Measured::from_base(geometry.focal_length.px(), 0.0),
+        Measured::from_base(geometry.baseline, 0.0),
+        Measured::from_base(50.0, 0.0),
+        Measured::from_base(geometry.doffs.px(), 0.0),
     );
     assert!((model.unwrap().depth().m() - 777.777_78).abs() < 5e-6);
 }
@@ -148,8 +148,8 @@ proptest! {
         // reprojectImageTo3D: [X Y Z W] = Q·[x y d 1], Z/W.
         let z = q[2][3] / (q[3][2] * d + q[3][3]);
         let model = Model::stereo(
-            Measured::exact(geometry.focal_length.px()), Measured::exact(geometry.baseline),
-            Measured::exact(d), Measured::exact(geometry.doffs.px()),
+            Measured::from_base(geometry.focal_length.px(), 0.0), Measured::from_base(geometry.baseline, 0.0),
+            Measured::from_base(d, 0.0), Measured::from_base(geometry.doffs.px(), 0.0),
         ).unwrap();
         prop_assert!((model.depth().m() / z - 1.0).abs() < 1e-12);
     }

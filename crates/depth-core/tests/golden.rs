@@ -1,9 +1,11 @@
 //! Golden numbers from independent sources, and properties that hold for every input.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
+use depth_core::measured::Measured;
 use depth_core::problem::Problem;
 use depth_core::quantity::{Length, LengthUnit, Pixels};
 use depth_core::{monocular, stereo};
+use depth_generators::{any_magnitude, any_unit};
 use proptest::prelude::*;
 
 fn close(got: f64, expected: f64, relative: f64) -> bool {
@@ -51,22 +53,21 @@ fn units_are_those_of_the_1959_agreement() {
 
 fn problem(focal_length: f64, baseline: f64, disparity: f64, image_width: f64, real_width: f64) -> Problem {
     Problem {
-        focal_length: Some(Pixels::new(focal_length)),
-        baseline: Some(Length::from_m(baseline)),
-        disparity: Some(Pixels::new(disparity)),
-        image_width: Some(Pixels::new(image_width)),
-        real_width: Some(Length::from_m(real_width)),
+        focal_length: Some(Measured::from_base(focal_length, 0.0)),
+        baseline: Some(Measured::from_base(baseline, 0.0)),
+        disparity: Some(Measured::from_base(disparity, 0.0)),
+        image_width: Some(Measured::from_base(image_width, 0.0)),
+        real_width: Some(Measured::from_base(real_width, 0.0)),
         ..Problem::default()
     }
 }
 
-/// Positive numbers of every magnitude an f64 has.
-fn any_magnitude() -> impl Strategy<Value = f64> {
-    (-300.0..300.0f64).prop_map(|exponent| 10f64.powf(exponent))
-}
-
-fn unit() -> impl Strategy<Value = LengthUnit> {
-    proptest::sample::select(LengthUnit::ALL.to_vec())
+/// A negative width would make the other one negative too.
+#[test]
+fn a_width_that_cannot_be_used_predicts_nothing() {
+    let solution = problem(700.0, 0.1, 50.0, -150.0, -0.3).solve();
+    assert_eq!(solution.stereo.distance(), Some(Length::from_m(1.4)));
+    assert_eq!((solution.estimated_width, solution.estimated_width_px), (None, None));
 }
 
 proptest! {
@@ -86,7 +87,7 @@ proptest! {
     }
 
     #[test]
-    fn units_round_trip(value in any_magnitude(), unit in unit()) {
+    fn units_round_trip(value in any_magnitude(), unit in any_unit()) {
         let back = Length::new(value, unit).in_unit(unit);
         prop_assert!(close(back, value, 1e-15));
     }

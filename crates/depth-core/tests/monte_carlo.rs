@@ -3,12 +3,13 @@
 
 use depth_core::measured::Measured;
 use depth_core::monte_carlo::{BINS, Distribution, MonteCarlo};
-use depth_core::quantity::Length;
+use depth_core::quantity::{Length, Pixels};
 use depth_core::uncertainty::Model;
+use depth_generators::any_measured;
 use proptest::prelude::*;
 
 const DRAWS: u32 = 200_000;
-const NO_DOFFS: Measured = Measured::exact(0.0);
+const NO_DOFFS: Measured<Pixels> = Measured::exact(Pixels::new(0.0));
 
 fn distribution(model: Model) -> Distribution {
     let mut experiment = MonteCarlo::new(model, 2026);
@@ -17,14 +18,20 @@ fn distribution(model: Model) -> Distribution {
 }
 
 fn disparity_only(sigma: f64) -> Model {
-    Model::stereo(Measured::exact(700.0), Measured::exact(0.1), Measured::new(50.0, sigma), NO_DOFFS).unwrap()
+    Model::stereo(
+        Measured::from_base(700.0, 0.0),
+        Measured::from_base(0.1, 0.0),
+        Measured::from_base(50.0, sigma),
+        NO_DOFFS,
+    )
+    .unwrap()
 }
 
 fn mug() -> Model {
     Model::stereo(
-        Measured::new(700.0, 2.0),
-        Measured::new(0.1, 0.0005),
-        Measured::new(50.0, 0.5),
+        Measured::from_base(700.0, 2.0),
+        Measured::from_base(0.1, 0.0005),
+        Measured::from_base(50.0, 0.5),
         NO_DOFFS,
     )
     .unwrap()
@@ -70,7 +77,11 @@ fn draws_without_a_disparity_count_as_infinitely_far() {
 
 #[test]
 fn a_width_of_zero_pixels_counts_as_infinitely_far_too() {
-    let model = Model::monocular(Measured::exact(700.0), Measured::exact(0.3), Measured::new(2.0, 2.0));
+    let model = Model::monocular(
+        Measured::from_base(700.0, 0.0),
+        Measured::from_base(0.3, 0.0),
+        Measured::from_base(2.0, 2.0),
+    );
     let found = distribution(model.unwrap());
     let (expected, deviation) = (0.158_655, (0.158_655 * 0.841_345 / f64::from(DRAWS)).sqrt());
     assert!(
@@ -82,8 +93,8 @@ fn a_width_of_zero_pixels_counts_as_infinitely_far_too() {
 
 #[test]
 fn draws_with_an_impossible_length_count_as_distance_zero() {
-    let half = Measured::new(0.1, 0.05);
-    let model = Model::stereo(Measured::exact(700.0), half, Measured::exact(50.0), NO_DOFFS);
+    let half = Measured::from_base(0.1, 0.05);
+    let model = Model::stereo(Measured::from_base(700.0, 0.0), half, Measured::from_base(50.0, 0.0), NO_DOFFS);
     let found = distribution(model.unwrap());
     // Φ(−2)
     let (expected, deviation) = (0.022_750, (0.022_750 * 0.977_25 / f64::from(DRAWS)).sqrt());
@@ -113,10 +124,10 @@ fn the_mug_has_the_interval_that_the_formula_gives() {
 #[test]
 fn doffs_and_its_uncertainty_take_part() {
     let model = Model::stereo(
-        Measured::exact(700.0),
-        Measured::exact(0.1),
-        Measured::new(10.0, 3.0),
-        Measured::new(40.0, 4.0),
+        Measured::from_base(700.0, 0.0),
+        Measured::from_base(0.1, 0.0),
+        Measured::from_base(10.0, 3.0),
+        Measured::from_base(40.0, 4.0),
     );
     // Together 50 ± 5 px, as above.
     assert_quantile(distribution(model.unwrap()).interval_68.far, 1.0, 0.841_34, 5.0);
@@ -194,12 +205,6 @@ fn speed() {
         per_draw(drawn),
         per_draw(finished)
     );
-}
-
-fn any_measured() -> impl Strategy<Value = Measured> {
-    let magnitude = || (-300.0..300.0_f64).prop_map(|exponent| 10.0_f64.powf(exponent));
-    (magnitude(), prop_oneof![Just(0.0), 0.0..3.0_f64], magnitude(), 0..4)
-        .prop_map(|(value, relative, anything, choice)| Measured::new(value, if choice == 0 { anything } else { value * relative }))
 }
 
 proptest! {

@@ -2,33 +2,40 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
 use depth_core::field::Field;
+use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
 use depth_core::quantity::{Length, Pixels};
 use depth_core::stereo;
-use depth_core::uncertainty::{FIRST_ORDER_LIMIT, Model, Unusable};
+use depth_core::uncertainty::{FIRST_ORDER_LIMIT, Model};
+use depth_generators::{any_model, ordinary_model};
 use proptest::prelude::*;
 
-const NO_DOFFS: Measured = Measured::exact(0.0);
+const NO_DOFFS: Measured<Pixels> = Measured::exact(Pixels::new(0.0));
 
 fn mug() -> Model {
     Model::stereo(
-        Measured::new(700.0, 2.0),
-        Measured::new(0.1, 0.0005),
-        Measured::new(50.0, 0.5),
+        Measured::from_base(700.0, 2.0),
+        Measured::from_base(0.1, 0.0005),
+        Measured::from_base(50.0, 0.5),
         NO_DOFFS,
     )
     .unwrap()
 }
 
 fn mug_by_its_width() -> Model {
-    Model::monocular(Measured::new(700.0, 2.0), Measured::new(0.30, 0.01), Measured::new(150.0, 2.0)).unwrap()
+    Model::monocular(
+        Measured::from_base(700.0, 2.0),
+        Measured::from_base(0.30, 0.01),
+        Measured::from_base(150.0, 2.0),
+    )
+    .unwrap()
 }
 
 fn disparity_only(disparity: f64, sigma: f64) -> Model {
     Model::stereo(
-        Measured::exact(700.0),
-        Measured::exact(0.1),
-        Measured::new(disparity, sigma),
+        Measured::from_base(700.0, 0.0),
+        Measured::from_base(0.1, 0.0),
+        Measured::from_base(disparity, sigma),
         NO_DOFFS,
     )
     .unwrap()
@@ -41,8 +48,8 @@ fn assert_near(value: f64, expected: f64, tolerance: f64) {
 #[test]
 fn the_mug_is_1400_mm_away_give_or_take_16() {
     let distance = mug().depth_with_sigma();
-    assert_near(distance.value, 1.4, 1e-15);
-    assert_near(distance.sigma, 0.016, 0.0005);
+    assert_near(distance.value.m(), 1.4, 1e-15);
+    assert_near(distance.sigma.m(), 0.016, 0.0005);
     let interval = mug().interval();
     assert_near(interval.near.m(), 1.3840, 5e-5);
     assert_near(interval.far.unwrap().m(), 1.4163, 5e-5);
@@ -51,8 +58,8 @@ fn the_mug_is_1400_mm_away_give_or_take_16() {
 #[test]
 fn the_mug_by_its_width_is_1400_mm_away_give_or_take_50() {
     let distance = mug_by_its_width().depth_with_sigma();
-    assert_near(distance.value, 1.4, 1e-15);
-    assert_near(distance.sigma, 0.050, 0.0005);
+    assert_near(distance.value.m(), 1.4, 1e-15);
+    assert_near(distance.sigma.m(), 0.050, 0.0005);
     let interval = mug_by_its_width().interval();
     assert_near(interval.near.m(), 1.3498, 5e-5);
     assert_near(interval.far.unwrap().m(), 1.4507, 5e-5);
@@ -71,8 +78,14 @@ fn the_disparity_is_responsible_for_three_quarters_of_the_variance() {
 
 #[test]
 fn the_variance_of_doffs_adds_to_that_of_the_disparity() {
-    let doffs = Measured::new(40.0, 0.4);
-    let model = Model::stereo(Measured::exact(700.0), Measured::exact(0.1), Measured::new(50.0, 0.3), doffs).unwrap();
+    let doffs = Measured::from_base(40.0, 0.4);
+    let model = Model::stereo(
+        Measured::from_base(700.0, 0.0),
+        Measured::from_base(0.1, 0.0),
+        Measured::from_base(50.0, 0.3),
+        doffs,
+    )
+    .unwrap();
     // 3-4-5: together 0.5 px on 90 px.
     assert_near(model.depth().m(), 70.0 / 90.0, 1e-15);
     assert_near(model.relative_sigma(), 0.5 / 90.0, 1e-15);
@@ -85,9 +98,9 @@ fn the_variance_of_doffs_adds_to_that_of_the_disparity() {
 fn exact_inputs_give_an_exact_distance() {
     let model = disparity_only(50.0, 0.0);
     let interval = model.interval();
-    assert_eq!(model.depth_with_sigma(), Measured::exact(1.4));
+    assert_eq!(model.depth_with_sigma(), Measured::from_base(1.4, 0.0));
     assert_eq!((interval.near, interval.far), (Length::from_m(1.4), Some(Length::from_m(1.4))));
-    assert_eq!(model.variance_budget(), []);
+    assert_eq!(model.variance_budget().shares(), []);
     assert_eq!(model.relative_bias(), Some(0.0));
 }
 
@@ -112,7 +125,12 @@ fn there_is_no_upper_bound_once_sigma_reaches_the_disparity() {
 
 #[test]
 fn nothing_is_nearer_than_the_camera_however_uncertain_the_focal_length() {
-    let model = Model::stereo(Measured::new(700.0, 900.0), Measured::exact(0.1), Measured::exact(50.0), NO_DOFFS);
+    let model = Model::stereo(
+        Measured::from_base(700.0, 900.0),
+        Measured::from_base(0.1, 0.0),
+        Measured::from_base(50.0, 0.0),
+        NO_DOFFS,
+    );
     assert_eq!(model.unwrap().interval().near, Length::from_m(0.0));
 }
 
@@ -152,53 +170,45 @@ fn first_order_is_trusted_up_to_ten_per_cent() {
 #[test]
 fn an_input_that_cannot_be_used_is_named() {
     let make = |f, b, d, o| Model::stereo(f, b, d, o);
-    let (f, b, d, o) = (Measured::exact(700.0), Measured::exact(0.1), Measured::exact(50.0), NO_DOFFS);
-    let nan = Measured::exact(f64::NAN);
-    assert_eq!(make(nan, b, d, o), Err(Unusable::Value(Field::FocalLength)));
-    assert_eq!(make(f, Measured::exact(-0.1), d, o), Err(Unusable::Value(Field::Baseline)));
-    assert_eq!(make(f, b, Measured::exact(0.0), o), Err(Unusable::Value(Field::Disparity)));
-    assert_eq!(make(f, b, d, Measured::exact(-50.0)), Err(Unusable::Value(Field::Disparity)));
-    assert_eq!(make(f, b, d, nan), Err(Unusable::Value(Field::Doffs)));
-    assert_eq!(make(f, b, Measured::new(50.0, -1.0), o), Err(Unusable::Sigma(Field::Disparity)));
-    assert_eq!(make(f, b, d, Measured::new(0.0, f64::NAN)), Err(Unusable::Sigma(Field::Doffs)));
-    let huge = Measured::exact(1e300);
-    assert_eq!(make(huge, huge, d, o), Err(Unusable::Distance));
+    let value = |field, refusal| {
+        Err(Unsolvable::Value {
+            term: Term::Input(field),
+            refusal,
+        })
+    };
+    let sigma = |field| Err(Unsolvable::Sigma { term: Term::Input(field) });
+    let (f, b, d, o) = (
+        Measured::from_base(700.0, 0.0),
+        Measured::from_base(0.1, 0.0),
+        Measured::from_base(50.0, 0.0),
+        NO_DOFFS,
+    );
+    let nan = Measured::from_base(f64::NAN, 0.0);
+    assert_eq!(make(nan, b, d, o), value(Field::FocalLength, Refusal::NotANumber));
+    assert_eq!(
+        make(f, Measured::from_base(-0.1, 0.0), d, o),
+        value(Field::Baseline, Refusal::Negative)
+    );
+    assert_eq!(make(f, b, Measured::from_base(0.0, 0.0), o), value(Field::Disparity, Refusal::Zero));
+    assert_eq!(
+        make(f, b, d, Measured::from_base(-50.0, 0.0)),
+        value(Field::Disparity, Refusal::Zero)
+    );
+    assert_eq!(make(f, b, d, nan), value(Field::Doffs, Refusal::NotANumber));
+    assert_eq!(make(f, b, Measured::from_base(50.0, -1.0), o), sigma(Field::Disparity));
+    assert_eq!(make(f, b, d, Measured::from_base(0.0, f64::NAN)), sigma(Field::Doffs));
+    let (huge, long) = (Measured::from_base(1e300, 0.0), Measured::from_base(1e300, 0.0));
+    assert_eq!(
+        make(huge, long, d, o),
+        Err(Unsolvable::Value {
+            term: Term::Distance,
+            refusal: Refusal::TooExtreme
+        })
+    );
     assert!(
-        make(f, b, Measured::exact(-10.0), Measured::exact(60.0)).is_ok(),
+        make(f, b, Measured::from_base(-10.0, 0.0), Measured::from_base(60.0, 0.0)).is_ok(),
         "doffs may make up for it"
     );
-}
-
-/// Positive numbers of every magnitude from 1e-300 to 1e300.
-fn any_magnitude() -> impl Strategy<Value = f64> {
-    (-300.0..300.0_f64).prop_map(|exponent| 10.0_f64.powf(exponent))
-}
-
-/// σ: often 0, often of the value's size, sometimes anything.
-fn any_measured() -> impl Strategy<Value = Measured> {
-    (any_magnitude(), prop_oneof![Just(0.0), 0.0..3.0_f64], any_magnitude(), 0..4)
-        .prop_map(|(value, relative, anything, choice)| Measured::new(value, if choice == 0 { anything } else { value * relative }))
-}
-
-fn any_model() -> impl Strategy<Value = Result<Model, Unusable>> {
-    prop_oneof![
-        (any_measured(), any_measured(), any_measured(), any_measured()).prop_map(|(f, b, d, o)| Model::stereo(f, b, d, o)),
-        (any_measured(), any_measured(), any_measured()).prop_map(|(f, w, p)| Model::monocular(f, w, p)),
-    ]
-}
-
-/// Ordinary magnitudes, with every σ up to three times its value.
-fn ordinary_model() -> impl Strategy<Value = Model> {
-    let measured = |range: std::ops::Range<f64>| {
-        (range, prop_oneof![Just(0.0), 0.0..0.2, 0.0..3.0]).prop_map(|(value, r)| Measured::new(value, value * r))
-    };
-    (
-        measured(100.0..5000.0),
-        measured(0.01..5.0),
-        measured(0.5..500.0),
-        measured(0.1..100.0),
-    )
-        .prop_map(|(f, b, d, o)| Model::stereo(f, b, d, o).unwrap())
 }
 
 proptest! {
@@ -209,12 +219,12 @@ proptest! {
         let Ok(model) = model else { return Ok(()) };
         let distance = model.depth_with_sigma();
         let interval = model.interval();
-        prop_assert!(distance.value.is_normal() && distance.sigma.is_finite() && distance.sigma >= 0.0);
+        prop_assert!(distance.value.m().is_normal() && distance.sigma.m().is_finite() && distance.sigma.m() >= 0.0);
         prop_assert!(model.relative_sigma().is_finite() && model.own_relative_sigma().is_finite());
         prop_assert!(0.0 <= interval.near.m() && interval.near <= model.depth());
         prop_assert!(interval.far.is_none_or(|far| far.m().is_finite() && far >= model.depth()));
         prop_assert!(model.bias().is_none_or(|bias| bias.m().is_finite()));
-        for share in model.variance_budget() {
+        for share in &model.variance_budget() {
             prop_assert!((0.0..=1.0 + 1e-12).contains(&share.share), "{:?}", share);
         }
     }
@@ -230,9 +240,9 @@ proptest! {
     /// Fieller's definition: an end θ is where the difference k − θ·x is exactly its own standard deviation.
     #[test]
     fn the_ends_are_where_the_inputs_are_contradicted_by_one_sigma(model in ordinary_model()) {
-        let k = model.focal_length().value * model.length().1.value;
+        let k = model.focal_length().value.px() * model.length().1.value.m();
         let rk = model.focal_length().relative().hypot(model.length().1.relative());
-        let x = model.divisor();
+        let x = model.divisor().to_base();
         let interval = model.interval();
         let contradiction = |theta: f64| (k - theta * x.value).abs() / (k * rk).hypot(theta * x.sigma);
         if let Some(far) = interval.far && far != interval.near && x.relative() < 0.999 {
@@ -247,7 +257,7 @@ proptest! {
     #[test]
     fn more_uncertainty_never_narrows_the_interval(model in ordinary_model(), more in 0.0..2.0_f64) {
         let (f, (_, b), d) = (model.focal_length(), model.length(), model.divisor());
-        let wider = Model::stereo(f, b, Measured::new(d.value, d.sigma * (1.0 + more)), NO_DOFFS).unwrap().interval();
+        let wider = Model::stereo(f, b, Measured::from_base(d.value.px(), d.sigma.px() * (1.0 + more)), NO_DOFFS).unwrap().interval();
         let interval = model.interval();
         prop_assert!(wider.near.m() <= interval.near.m() * (1.0 + 1e-12));
         if let Some(far) = wider.far {

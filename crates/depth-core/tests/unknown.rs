@@ -2,53 +2,62 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
 use depth_core::field::Field;
+use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
-use depth_core::unknown::{MonocularEquation, StereoEquation, Term, Unsolvable};
+use depth_core::quantity::Quantity;
+use depth_core::unknown::{MonocularEquation, StereoEquation};
+use depth_generators::any_measured;
 use proptest::prelude::*;
 
-type Solved = Result<(Term, Measured), Unsolvable>;
+/// The unknown in its base unit.
+type Solved = Result<(Term, Measured<f64>), Unsolvable>;
 
-/// Stereo from [f, b, d, δ, Z] and monocular from [f, w, p, Z], with one left out.
-fn stereo(given: [Measured; 5], unknown: usize) -> Solved {
-    let term = |i: usize| (i != unknown).then_some(given[i]);
-    StereoEquation {
-        focal_length: term(0),
-        baseline: term(1),
-        disparity: term(2),
-        doffs: term(3),
-        distance: term(4),
-    }
-    .solve()
+/// The term of that place, but for the unknown.
+fn term<Q: Quantity>(given: &[Measured<f64>], i: usize, unknown: usize) -> Option<Measured<Q>> {
+    (i != unknown).then_some(Measured::from_base(given[i].value, given[i].sigma))
 }
 
-fn monocular(given: [Measured; 4], unknown: usize) -> Solved {
-    let term = |i: usize| (i != unknown).then_some(given[i]);
-    MonocularEquation {
-        focal_length: term(0),
-        real_width: term(1),
-        image_width: term(2),
-        distance: term(3),
+/// Stereo from [f, b, d, δ, Z] and monocular from [f, w, p, Z], with one left out.
+fn stereo(given: [Measured<f64>; 5], unknown: usize) -> Solved {
+    StereoEquation {
+        focal_length: term(&given, 0, unknown),
+        baseline: term(&given, 1, unknown),
+        disparity: term(&given, 2, unknown),
+        doffs: term(&given, 3, unknown),
+        distance: term(&given, 4, unknown),
     }
     .solve()
+    .map(|found| (found.term(), found.to_base()))
+}
+
+fn monocular(given: [Measured<f64>; 4], unknown: usize) -> Solved {
+    MonocularEquation {
+        focal_length: term(&given, 0, unknown),
+        real_width: term(&given, 1, unknown),
+        image_width: term(&given, 2, unknown),
+        distance: term(&given, 3, unknown),
+    }
+    .solve()
+    .map(|found| (found.term(), found.to_base()))
 }
 
 /// The OpenCV measurement: f 700 px, b 100 mm, d 50 px, doffs 40 px give 0.77778 m.
-fn measured_pair() -> [Measured; 5] {
+fn measured_pair() -> [Measured<f64>; 5] {
     [
-        Measured::new(700.0, 2.0),
-        Measured::new(0.1, 0.0005),
-        Measured::new(50.0, 0.5),
-        Measured::new(40.0, 0.3),
-        Measured::new(0.777_777_777_777_777_8, 0.01),
+        Measured::from_base(700.0, 2.0),
+        Measured::from_base(0.1, 0.0005),
+        Measured::from_base(50.0, 0.5),
+        Measured::from_base(40.0, 0.3),
+        Measured::from_base(0.777_777_777_777_777_8, 0.01),
     ]
 }
 
-fn mug() -> [Measured; 4] {
+fn mug() -> [Measured<f64>; 4] {
     [
-        Measured::new(700.0, 2.0),
-        Measured::new(0.30, 0.01),
-        Measured::new(150.0, 2.0),
-        Measured::new(1.4, 0.02),
+        Measured::from_base(700.0, 2.0),
+        Measured::from_base(0.30, 0.01),
+        Measured::from_base(150.0, 2.0),
+        Measured::from_base(1.4, 0.02),
     ]
 }
 
@@ -87,7 +96,7 @@ fn each_term_of_the_mug_follows_from_the_others() {
 }
 
 /// √Σ(∂x/∂i·σ_i)² with central differences of the solution itself.
-fn numerical_sigma<const N: usize>(given: [Measured; N], unknown: usize, solve: fn([Measured; N], usize) -> Solved) -> f64 {
+fn numerical_sigma<const N: usize>(given: [Measured<f64>; N], unknown: usize, solve: fn([Measured<f64>; N], usize) -> Solved) -> f64 {
     let at = |i: usize, step: f64| {
         let mut moved = given;
         moved[i].value += step;
@@ -131,38 +140,37 @@ fn exactly_one_unknown_is_wanted() {
 
 #[test]
 fn a_term_that_cannot_be_used_is_named() {
+    let value = |term, refusal| Err(Unsolvable::Value { term, refusal });
     let mut given = measured_pair();
-    given[4] = Measured::exact(0.0);
-    assert_eq!(stereo(given, 1), Err(Unsolvable::Unusable(Term::Distance)));
+    given[4] = Measured::from_base(0.0, 0.0);
+    assert_eq!(stereo(given, 1), value(Term::Distance, Refusal::Zero));
     let mut given = measured_pair();
-    given[3] = Measured::exact(-50.0);
-    assert_eq!(stereo(given, 4), Err(Unsolvable::Unusable(Term::Input(Field::Disparity))));
+    given[3] = Measured::from_base(-50.0, 0.0);
+    assert_eq!(stereo(given, 4), value(Term::Input(Field::Disparity), Refusal::Zero));
     let mut given = mug();
     given[2].sigma = -1.0;
-    assert_eq!(monocular(given, 0), Err(Unsolvable::Unusable(Term::Input(Field::ImageWidth))));
+    assert_eq!(
+        monocular(given, 0),
+        Err(Unsolvable::Sigma {
+            term: Term::Input(Field::ImageWidth)
+        })
+    );
     let mut given = mug();
-    given[0] = Measured::exact(1e300);
-    given[1] = Measured::exact(1e300);
-    assert_eq!(monocular(given, 3), Err(Unsolvable::TooExtreme(Term::Distance)));
+    given[0] = Measured::from_base(1e300, 0.0);
+    given[1] = Measured::from_base(1e300, 0.0);
+    assert_eq!(monocular(given, 3), value(Term::Distance, Refusal::TooExtreme));
 }
 
 #[test]
 fn doffs_larger_than_the_shift_makes_the_disparity_negative() {
     let mut given = measured_pair();
-    given[3] = Measured::exact(100.0);
+    given[3] = Measured::from_base(100.0, 0.0);
     let (_, disparity) = stereo(given, 2).unwrap();
     assert!((disparity.value + 10.0).abs() < 1e-10);
 }
 
-fn any_magnitude() -> impl Strategy<Value = Measured> {
-    (-300.0..300.0_f64, prop_oneof![Just(0.0), 0.0..3.0_f64]).prop_map(|(exponent, relative)| {
-        let value = 10.0_f64.powf(exponent);
-        Measured::new(value, value * relative)
-    })
-}
-
-fn ordinary(range: std::ops::Range<f64>) -> impl Strategy<Value = Measured> {
-    (range, 0.0..0.5_f64).prop_map(|(value, relative)| Measured::new(value, value * relative))
+fn ordinary(range: std::ops::Range<f64>) -> impl Strategy<Value = Measured<f64>> {
+    (range, 0.0..0.5_f64).prop_map(|(value, relative)| Measured::from_base(value, value * relative))
 }
 
 proptest! {
@@ -184,7 +192,7 @@ proptest! {
 
     #[test]
     fn monocular_terms_come_back_or_are_refused_at_every_magnitude(
-        given in prop::array::uniform4(any_magnitude()),
+        given in prop::array::uniform4(any_measured()),
     ) {
         let Ok((_, z)) = monocular(given, 3) else { return Ok(()) };
         prop_assert!(z.value.is_normal() && z.sigma.is_finite());
@@ -199,7 +207,7 @@ proptest! {
 
     #[test]
     fn stereo_is_finite_or_refused_at_every_magnitude(
-        given in prop::array::uniform5(any_magnitude()), unknown in 0..5_usize,
+        given in prop::array::uniform5(any_measured()), unknown in 0..5_usize,
     ) {
         if let Ok((_, found)) = stereo(given, unknown) {
             prop_assert!(found.value.is_finite() && found.sigma.is_finite() && found.sigma >= 0.0);

@@ -25,7 +25,7 @@ fn form() -> Inputs {
     for field in Field::ALL {
         inputs.set_sigma(field, "1 %");
     }
-    assert!(inputs.assess().solution.together.is_some(), "the form is complete");
+    assert!(inputs.assess().solution.comparison.is_some(), "the form is complete");
     inputs
 }
 

@@ -4,8 +4,8 @@
 use crate::number::{self, NumberError, Unit, plain, quoted};
 use depth_core::agreement::Suspect;
 use depth_core::measured::Measured;
-use depth_core::problem::{Field, Method, Outcome, Problem, Refusal, Sigmas, Solution, better_unit};
-use depth_core::quantity::{Length, LengthUnit, Pixels};
+use depth_core::problem::{Field, Method, Outcome, Problem, Refusal, Solution, better_unit};
+use depth_core::quantity::{Length, LengthUnit};
 use depth_core::unknown::{MonocularEquation, StereoEquation};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -251,7 +251,7 @@ impl Inputs {
             }
             if self.with_uncertainty && free != Some(field) {
                 match self.read_sigma(field, problem.get(field)) {
-                    Ok(sigma) => problem.sigmas.set(field, sigma),
+                    Ok(sigma) => problem.set_sigma(field, sigma.unwrap_or(0.0)),
                     Err(note) => notes.push(note),
                 }
             }
@@ -263,16 +263,15 @@ impl Inputs {
         {
             problem.set(*field, Some(found.value));
             // The uncertainty asked for is that of the unknown; what it would give back to the distance is only an echo.
-            problem.sigmas = Sigmas::default();
+            problem = problem.without_sigmas();
         }
-        let mut solution = problem.solve();
-        if let Some(together) = &mut solution.together {
-            // Of all slips of the unit that would explain a disagreement, only one from the unit in use can have happened.
-            together.agreement.suspects.retain(|suspect| match suspect {
-                Suspect::Unit { source, taken, .. } => self.unit(*source) == Some(*taken),
-                _ => true,
-            });
-        }
+        let solution = problem.solve();
+        let mut suspects = solution.suspects();
+        // Of all slips of the unit that would explain a disagreement, only one from the unit in use can have happened.
+        suspects.retain(|suspect| match suspect {
+            Suspect::Unit { source, taken, .. } => self.unit(*source) == Some(*taken),
+            _ => true,
+        });
         for method in Method::ALL {
             if let Outcome::Refused { field, refusal } = solution.outcome(method) {
                 notes.retain(|note| (note.field, note.part, note.severity) != (field, Part::Value, Severity::Warning));
@@ -288,12 +287,16 @@ impl Inputs {
             ));
         }
         notes.sort_by_key(|note| (note.field, note.part));
-        Assessment { solution, notes, unknown }
+        Assessment {
+            solution,
+            suspects,
+            notes,
+            unknown,
+        }
     }
 
     /// Solves the equation of `method` for `field`, with the distance as an input.
     fn solve_for(&self, method: Method, field: Field, problem: &Problem) -> Unknown {
-        let given = |wanted: Field| if wanted == field { None } else { problem.measured(wanted) };
         let lacking = || {
             let fields = method.fields();
             let lacking = fields.iter().find(|&&other| other != field && problem.get(other).is_none())?;
@@ -302,36 +305,31 @@ impl Inputs {
         let outcome = lacking().map_or_else(|| self.read_distance(), Err).and_then(|distance| {
             let solved = match method {
                 Method::Stereo => StereoEquation {
-                    focal_length: given(Field::FocalLength),
-                    baseline: given(Field::Baseline),
-                    disparity: given(Field::Disparity),
-                    doffs: if field == Field::Doffs {
-                        None
-                    } else {
-                        let doffs = problem.doffs.map_or(0.0, Pixels::px);
-                        Some(Measured::new(doffs, problem.sigmas.get(Field::Doffs).unwrap_or(0.0)))
-                    },
+                    focal_length: problem.focal_length.filter(|_| field != Field::FocalLength),
+                    baseline: problem.baseline.filter(|_| field != Field::Baseline),
+                    disparity: problem.disparity.filter(|_| field != Field::Disparity),
+                    doffs: (field != Field::Doffs).then(|| problem.offset()),
                     distance: Some(distance),
                 }
                 .solve(),
                 Method::Monocular => MonocularEquation {
-                    focal_length: given(Field::FocalLength),
-                    real_width: given(Field::RealWidth),
-                    image_width: given(Field::ImageWidth),
+                    focal_length: problem.focal_length.filter(|_| field != Field::FocalLength),
+                    real_width: problem.real_width.filter(|_| field != Field::RealWidth),
+                    image_width: problem.image_width.filter(|_| field != Field::ImageWidth),
                     distance: Some(distance),
                 }
                 .solve(),
             };
             match solved {
-                Ok((_, found)) => Ok(found),
+                Ok(found) => Ok(found.to_base()),
                 Err(_) => Err("With these numbers there is no answer that a computer can represent.".to_owned()),
             }
         });
         Unknown { method, field, outcome }
     }
 
-    /// D with its σ, m, or a sentence that says what is wrong with it.
-    fn read_distance(&self) -> Result<Measured, String> {
+    /// D with its σ, or a sentence that says what is wrong with it.
+    fn read_distance(&self) -> Result<Measured<Length>, String> {
         const EXAMPLE: &str = "Type a distance above zero, such as 1.4 m.";
         if self.distance.is_blank() {
             return Err(format!("The distance (D) is missing. {EXAMPLE}"));
@@ -358,7 +356,7 @@ impl Inputs {
         if !sigma.is_finite() || sigma < 0.0 {
             return Err(format!("{} is not an uncertainty.", quoted(text)));
         }
-        Ok(Measured::new(value, sigma))
+        Ok(Measured::from_base(value, sigma))
     }
 
     /// σ of `field` in px or metres, or the note that says why it cannot be used. A σ in % needs the value.
@@ -658,6 +656,8 @@ pub struct Fix {
 pub struct Assessment {
     /// Everything that could be computed.
     pub solution: Solution,
+    /// What to look at where both distances disagree, likeliest first.
+    pub suspects: Vec<Suspect>,
     /// What to say at the fields, in reading order, at most one for each value and one for each σ.
     pub notes: Vec<Note>,
     /// What was solved for, where it was not the distance.
@@ -672,7 +672,7 @@ pub struct Unknown {
     /// The quantity.
     pub field: Field,
     /// Its value with σ in px or metres, or a sentence that says what is lacking.
-    pub outcome: Result<Measured, String>,
+    pub outcome: Result<Measured<f64>, String>,
 }
 
 impl Assessment {
@@ -798,7 +798,7 @@ mod tests {
     fn a_typed_unit_holds_at_once_and_moves_beside_the_field_when_tidied() {
         let mut inputs = with(Field::Baseline, "10 cm");
         assert_eq!(inputs.unit(Field::Baseline), Some(Centimetre));
-        assert_eq!(inputs.assess().solution.problem.baseline, Some(Length::from_m(0.1)));
+        assert_eq!(inputs.assess().solution.problem.get(Field::Baseline), Some(0.1));
         inputs.tidy(Field::Baseline);
         assert_eq!(inputs.entry(Field::Baseline), &Entry::new("10", Some(Centimetre)));
     }

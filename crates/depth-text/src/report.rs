@@ -4,7 +4,7 @@
 use crate::inputs::{Assessment, Inputs, Unknown, capital};
 use crate::number::{self, NO_NUMBER, exact, plain, significant};
 use depth_core::agreement::{Agreement, Suspect, Verdict};
-use depth_core::problem::{Field, Known, Method, Solution};
+use depth_core::problem::{Field, Method, Solution, Uncertainty};
 use depth_core::quantity::{Length, LengthUnit};
 
 /// Significant digits of a result on the screen.
@@ -22,7 +22,7 @@ pub fn length_number(length: Option<Length>, unit: LengthUnit) -> String {
 
 /// What one pixel of disparity more or less makes of the stereo distance: "1.373 … 1.429 m".
 pub fn one_pixel_around(solution: &Solution, unit: LengthUnit) -> Option<String> {
-    let (near, far) = solution.one_pixel_around()?;
+    let (near, far) = solution.one_pixel_range()?;
     let near = length_number(Some(near), unit);
     Some(match far {
         Some(far) => format!("{near} … {}", length(Some(far), unit)),
@@ -190,7 +190,7 @@ fn results(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
     let mut lines = Vec::new();
     for method in Method::ALL {
         let distance = solution.outcome(method).distance();
-        let known = solution.known(method);
+        let known = solution.uncertainty(method);
         let value = match (distance, known) {
             (Some(distance), Some(known)) => with_sigma(distance, known.sigma, unit).text(unit),
             _ => length(distance, unit),
@@ -213,19 +213,13 @@ fn results(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
             }
         }
     }
-    if let Some(together) = &solution.together {
+    if let Some(together) = &solution.comparison {
         if let Some(combined) = together.combined {
-            let value = with_sigma(Length::from_m(combined.value), Length::from_m(combined.sigma), unit).text(unit);
+            let value = with_sigma(combined.value, combined.sigma, unit).text(unit);
             lines.push(format!("Combined distance, the shared focal length accounted for: {value}"));
         }
         lines.push(format!("  {}", agreement_sentence(&together.agreement)));
-        lines.extend(
-            together
-                .agreement
-                .suspects
-                .iter()
-                .map(|suspect| format!("  {}", suspect_sentence(suspect))),
-        );
+        lines.extend(assessment.suspects.iter().map(|suspect| format!("  {}", suspect_sentence(suspect))));
     }
     if let Some(width) = solution.estimated_width_px {
         lines.push(format!(
@@ -274,7 +268,7 @@ pub fn with_sigma(length: Length, sigma: Length, unit: LengthUnit) -> WithSigma 
 }
 
 /// The 1 σ interval, to the decimals of σ: "1.384 … 1.416 m".
-pub fn interval(known: &Known, unit: LengthUnit) -> String {
+pub fn interval(known: &Uncertainty, unit: LengthUnit) -> String {
     let decimals = decimals_beside(known.model.depth().in_unit(unit), known.sigma.in_unit(unit));
     let end = |length: Length| number::to_decimals(length.in_unit(unit), decimals);
     let near = end(known.interval.near);
@@ -290,8 +284,8 @@ pub fn decimals_beside(value: f64, sigma: f64) -> i32 {
 }
 
 /// Where the variance comes from: "disparity 75 %, baseline 19 %, focal length 6 %", the largest first.
-pub fn budget(known: &Known) -> String {
-    let mut shares = known.budget.clone();
+pub fn budget(known: &Uncertainty) -> String {
+    let mut shares = known.budget.to_vec();
     shares.sort_by(|a, b| b.share.total_cmp(&a.share));
     shares
         .iter()
@@ -302,7 +296,7 @@ pub fn budget(known: &Known) -> String {
 }
 
 /// The input behind most of the variance: "mostly from disparity (75 %)".
-pub fn main_cause(known: &Known) -> Option<String> {
+pub fn main_cause(known: &Uncertainty) -> Option<String> {
     let share = known.main_cause()?;
     let how = if share.share >= 0.5 { "mostly" } else { "most of it" };
     Some(format!("{how} from {} ({})", short_name(share.source), percent(share.share)))
@@ -437,7 +431,6 @@ mod tests {
                 ratio: Some(1.0),
                 z: Some(z),
                 verdict: Some(Verdict::of(z)),
-                suspects: Vec::new(),
             });
             assert!(sentence.contains(expected), "{sentence}");
         }

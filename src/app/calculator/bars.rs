@@ -79,7 +79,7 @@ pub fn show(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
                 };
                 let bar = Bar::new(x, value / top).width(0.56).fill(color).stroke(egui::Stroke::NONE);
                 plot.bar_chart(BarChart::new(method.name(), vec![bar]).allow_hover(false));
-                let known = solution.known(method);
+                let known = solution.uncertainty(method);
                 if let Some(known) = known {
                     let end = |length: Length| (length.in_unit(unit) / top).min(2.0);
                     let (near, far) = (end(known.interval.near), known.interval.far.map_or(2.0, end));
@@ -118,7 +118,7 @@ pub fn show(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
         .into_iter()
         .map(|method| {
             let distance = solution.outcome(method).distance();
-            let words = match (distance, solution.known(method)) {
+            let words = match (distance, solution.uncertainty(method)) {
                 (Some(distance), Some(known)) => format!(
                     "{}, from {}",
                     report::with_sigma(distance, known.sigma, unit).text(unit),

@@ -75,9 +75,12 @@ impl Curve {
     /// Draws the picture; a drag of the point is added to `commands`.
     pub fn show(&mut self, ui: &mut Ui, solution: &Solution, unit: LengthUnit, commands: &mut Vec<Command>) {
         let problem = &solution.problem;
-        let disparity = problem.disparity.filter(|_| solution.stereo.distance().is_some());
+        let disparity = problem
+            .disparity
+            .map(|disparity| disparity.value)
+            .filter(|_| solution.stereo.distance().is_some());
         let model = match (problem.focal_length, problem.baseline) {
-            (Some(f), Some(b)) => self.held.or_else(|| Model::new(f, b, disparity)),
+            (Some(f), Some(b)) => self.held.or_else(|| Model::new(f.value, b.value, disparity)),
             _ => None,
         };
         let Some(model) = model else {

@@ -5,7 +5,8 @@ use crate::app::saved::Texts;
 use crate::app::widgets::number_field::{NumberField, Unit};
 use crate::app::widgets::{cards, text};
 use crate::core::angle::Angle;
-use crate::core::camera::{self, GroundView, Intrinsics, NoGround};
+use crate::core::camera::{self, GroundView, Intrinsics};
+use crate::core::judge::{Term, Unsolvable};
 use crate::core::measured::Measured;
 use crate::core::problem::Solution;
 use crate::core::quantity::{Length, LengthUnit, Pixels};
@@ -45,7 +46,7 @@ fn range(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, 
         let numbers = [(CX, "640"), (CY, "360"), (U, "900"), (V, "500")].map(|(name, example)| ask(ui, texts, name, example, "px", height));
         let depth = solution.stereo.distance().or(solution.monocular.distance());
         let answer = match (solution.problem.focal_length, depth, numbers) {
-            (Some(fx), Some(depth), [Some(cx), Some(cy), Some(u), Some(v)]) => {
+            (Some(Measured { value: fx, .. }), Some(depth), [Some(cx), Some(cy), Some(u), Some(v)]) => {
                 let (cx, cy) = (Pixels::new(cx), Pixels::new(cy));
                 let camera = Intrinsics {
                     fx,
@@ -118,33 +119,35 @@ fn ground(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts,
         let pitch = ask_measured(ui, texts, PITCH, "10", DEGREES, height);
         let point = ask_measured(ui, texts, ROW, "500", "px", height);
         let cy = ask(ui, texts, CY, "360", "px", height);
-        if let (Some(fx), Some(camera_height), Some(pitch), Some(row), Some(cy)) =
+        if let (Some(Measured { value: fx, .. }), Some(camera_height), Some(pitch), Some(row), Some(cy)) =
             (solution.problem.focal_length, camera_height, pitch, point, cy)
         {
             let radians = |degrees: f64| Angle::from_degrees(degrees).radians();
             let view = GroundView {
-                height: camera_height,
-                pitch: Measured::new(radians(pitch.value), radians(pitch.sigma)),
-                row,
+                height: Measured::from_base(camera_height.value, camera_height.sigma),
+                pitch: Measured::from_base(radians(pitch.value), radians(pitch.sigma)),
+                row: Measured::from_base(row.value, row.sigma),
                 fy: fx,
                 cy: Pixels::new(cy),
             };
             match view.distance() {
                 Ok(distance) => {
-                    let words = if distance.sigma > 0.0 {
-                        report::with_sigma(Length::from_m(distance.value), Length::from_m(distance.sigma), unit).text(unit)
+                    let words = if distance.sigma.m() > 0.0 {
+                        report::with_sigma(distance.value, distance.sigma, unit).text(unit)
                     } else {
-                        report::length(Some(Length::from_m(distance.value)), unit)
+                        report::length(Some(distance.value), unit)
                     };
                     super::table::pairs(ui, "Ground plane", &[("Distance along the floor", words)]);
                 }
-                Err(NoGround::AboveHorizon) => problem(
+                Err(Unsolvable::AboveHorizon { .. }) => problem(
                     ui,
                     "This row is at the horizon or above it: its ray never meets the floor. Use a lower row.",
                 ),
-                Err(NoGround::BelowCamera) => problem(ui, "This ray goes straight down or backwards. Check pitch and row."),
-                Err(NoGround::Unusable) => problem(ui, "Height and focal length must be above zero, and no uncertainty below it."),
-                Err(NoGround::TooExtreme) => problem(ui, "With these numbers there is no distance that a computer can represent."),
+                Err(Unsolvable::BelowCamera { .. }) => problem(ui, "This ray goes straight down or backwards. Check pitch and row."),
+                Err(Unsolvable::Value { term: Term::Distance, .. }) => {
+                    problem(ui, "With these numbers there is no distance that a computer can represent.")
+                }
+                Err(_) => problem(ui, "Height and focal length must be above zero, and no uncertainty below it."),
             }
         }
         text::caption(
@@ -182,7 +185,7 @@ fn ask_measured(
     example: &'static str,
     unit: &'static str,
     height: f32,
-) -> Option<Measured> {
+) -> Option<Measured<f64>> {
     let sigma_name = format!("σ of {name}");
     let mut sigma = texts.get(&sigma_name).cloned().unwrap_or_default();
     let typed = texts.entry(name.to_owned()).or_default();

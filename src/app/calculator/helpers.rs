@@ -192,7 +192,11 @@ const DISPARITY: &[Way] = &[
         field: Field::Disparity,
         compute: |n| {
             let [left, right] = *n else { return incomplete() };
-            Ok(disparity::from_columns(Measured::exact(left), Measured::exact(right)).value)
+            Ok(
+                disparity::from_columns(Measured::from_base(left, 0.0), Measured::from_base(right, 0.0))
+                    .value
+                    .px(),
+            )
         },
     },
     Way {
@@ -271,7 +275,9 @@ const DISPARITY: &[Way] = &[
         field: Field::Doffs,
         compute: |n| {
             let [left, right] = *n else { return incomplete() };
-            Ok(disparity::doffs(Measured::exact(left), Measured::exact(right)).value)
+            Ok(disparity::doffs(Measured::from_base(left, 0.0), Measured::from_base(right, 0.0))
+                .value
+                .px())
         },
     },
     Way {

@@ -4,9 +4,9 @@ use crate::app::command::Command;
 use crate::app::theme::{self, Layout};
 use crate::app::widgets::quantity_field::length_unit_choice;
 use crate::app::widgets::{cards, text};
-use crate::core::agreement::Verdict;
-use crate::core::problem::{Method, Solution, Together};
-use crate::core::quantity::{Length, LengthUnit};
+use crate::core::agreement::{Suspect, Verdict};
+use crate::core::problem::{Comparison, Method, Solution};
+use crate::core::quantity::LengthUnit;
 use crate::formats::inputs::{Assessment, Unknown};
 use crate::formats::report;
 use egui::accesskit::Role;
@@ -67,7 +67,7 @@ pub fn show(
         card(ui, "Result", |ui| empty(ui, unit));
         return;
     }
-    shown.extend(solution.together.as_ref().map(Shown::Together));
+    shown.extend(solution.comparison.as_ref().map(Shown::Together));
     let columns = if layout.columns() == 1 { 1 } else { shown.len() };
     for (number, row) in shown.chunks(columns).enumerate() {
         let id = Id::unique(("results", columns, number));
@@ -75,7 +75,7 @@ pub fn show(
             card(ui, shown.name(), |ui| {
                 match shown {
                     Shown::Method(method) => result(ui, solution, method, unit),
-                    Shown::Together(together) => combined(ui, together, unit),
+                    Shown::Together(together) => combined(ui, together, &assessment.suspects, unit),
                 }
                 cards::fill_height(ui, id);
             });
@@ -87,7 +87,7 @@ pub fn show(
 #[derive(Clone, Copy)]
 enum Shown<'a> {
     Method(Method),
-    Together(&'a Together),
+    Together(&'a Comparison),
 }
 
 impl Shown<'_> {
@@ -100,7 +100,7 @@ impl Shown<'_> {
 }
 
 /// What both distances say together, and whether they agree.
-fn combined(ui: &mut Ui, together: &Together, unit: LengthUnit) {
+fn combined(ui: &mut Ui, together: &Comparison, suspects: &[Suspect], unit: LengthUnit) {
     let palette = theme::palette(ui);
     let (words, front, back) = match together.agreement.verdict {
         Some(Verdict::Agree) => ("They agree", palette.green, palette.green_tint),
@@ -111,7 +111,7 @@ fn combined(ui: &mut Ui, together: &Together, unit: LengthUnit) {
     text::badge(ui, words, front, back);
     match together.combined {
         Some(combined) => {
-            let words = report::with_sigma(Length::from_m(combined.value), Length::from_m(combined.sigma), unit);
+            let words = report::with_sigma(combined.value, combined.sigma, unit);
             number(
                 ui,
                 &words.value,
@@ -131,7 +131,7 @@ fn combined(ui: &mut Ui, together: &Together, unit: LengthUnit) {
                 .color(palette.text),
         );
     }
-    for suspect in together.agreement.suspects.iter().take(3) {
+    for suspect in suspects.iter().take(3) {
         text::caption(ui, format!("• {}", report::suspect_sentence(suspect)));
     }
 }
@@ -186,7 +186,7 @@ fn result(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
     text::badge(ui, method.name(), front, back);
     let distance = solution.outcome(method).distance();
     let name = format!("{} distance", method.name());
-    match (distance, solution.known(method)) {
+    match (distance, solution.uncertainty(method)) {
         (Some(distance), Some(known)) => {
             let words = report::with_sigma(distance, known.sigma, unit);
             number(ui, &words.value, &format!("{} ± {}", unit.symbol(), words.sigma), &name);

@@ -52,19 +52,19 @@ impl Model {
             Method::Monocular
         };
         let interval_m = solution
-            .known(method)
+            .uncertainty(method)
             .map(|known| (known.interval.near.m(), known.interval.far.map(Length::m)));
         let model = match solution.stereo.distance() {
             Some(depth) => Self {
                 depth_m: depth.m(),
-                baseline_m: problem.baseline.map(Length::m),
-                width_m: problem.real_width.map(Length::m),
+                baseline_m: problem.baseline.map(|baseline| baseline.value.m()),
+                width_m: problem.real_width.map(|width| width.value.m()),
                 interval_m,
             },
             None => Self {
                 depth_m: solution.monocular.distance()?.m(),
                 baseline_m: None,
-                width_m: problem.real_width.map(Length::m),
+                width_m: problem.real_width.map(|width| width.value.m()),
                 interval_m,
             },
         };

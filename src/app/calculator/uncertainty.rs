@@ -61,7 +61,7 @@ impl Simulations {
     /// Goes on for one frame with what `assessment` needs. Returns whether another frame is wanted.
     pub fn advance(&mut self, assessment: &Assessment) -> bool {
         let wanted = |method| {
-            let known = assessment.solution.known(method)?;
+            let known = assessment.solution.uncertainty(method)?;
             (!known.model.first_order_is_good()).then_some(known.model)
         };
         let stereo = self.stereo.aim_at(wanted(Method::Stereo));
@@ -80,7 +80,10 @@ impl Simulations {
 
 /// Draws the cards of what is known with σ; nothing where no σ was given.
 pub fn show(ui: &mut Ui, solution: &Solution, simulations: &Simulations, unit: LengthUnit, columns: usize, gap: f32) {
-    let known: Vec<Method> = Method::ALL.into_iter().filter(|&method| solution.known(method).is_some()).collect();
+    let known: Vec<Method> = Method::ALL
+        .into_iter()
+        .filter(|&method| solution.uncertainty(method).is_some())
+        .collect();
     for (number, row) in known.chunks(columns.min(2)).enumerate() {
         let id = egui::Id::unique(("budgets", columns, number));
         cards::row(ui, row, gap, |ui, &method| {
@@ -135,7 +138,7 @@ fn color_of(ui: &Ui, field: Field) -> Color32 {
 fn budget(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
     const BAR: f32 = 20.0;
     let palette = theme::palette(ui);
-    let Some(known) = solution.known(method) else { return };
+    let Some(known) = solution.uncertainty(method) else { return };
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), BAR), Sense::hover());
     let mut x = rect.left();
     for share in &known.budget {

@@ -1,0 +1,53 @@
+//! Two distances to the same object made one.
+
+use crate::arithmetic::{log_ratio, root_sum_of_squares};
+use crate::measured::Measured;
+use crate::model::Model;
+use crate::quantity::Length;
+
+/// The two distances combined, weighted by what each does not share with the other.
+///
+/// With r₁ and r₂ the relative σ of each without the focal length and r_f = σ_f/f:
+/// ln Z = (ln Z₁/r₁² + ln Z₂/r₂²)/(1/r₁² + 1/r₂²) and (σ/Z)² = 1/(1/r₁² + 1/r₂²) + r_f².
+/// The result lies between the two, and its relative σ is never more than the smaller one. Where one of them has no
+/// uncertainty of its own it is the result; `None` where neither has: nothing is there to weigh them with.
+///
+/// Both models must have the same focal length; r_f is taken from `first`.
+///
+/// ```
+/// use depth_core::agreement::combine;
+/// # use depth_core::measured::Measured;
+/// # use depth_core::uncertainty::Model;
+/// # let exact = |px: f64| Measured::from_base(px, 0.0);
+/// let stereo = Model::stereo(exact(700.0), Measured::from_base(0.1, 0.0), Measured::from_base(50.0, 2.0), exact(0.0))?;
+/// let monocular = Model::monocular(exact(700.0), Measured::from_base(0.3, 0.0), Measured::from_base(150.0, 6.0))?;
+///
+/// // 1.4 m twice, each to 4 %: one distance to 4 %/√2.
+/// let combined = combine(&stereo, &monocular).unwrap();
+/// assert!((combined.value.m() - 1.4).abs() < 1e-12);
+/// assert!((combined.relative() - 0.04 / 2.0_f64.sqrt()).abs() < 1e-12);
+/// # Ok::<(), depth_core::judge::Unsolvable>(())
+/// ```
+///
+/// Source: weighted least squares (Gauss–Markov) for two measurements of ln Z with a common error, with the weights of
+/// the independent parts, which keeps the result between the two where the optimal weights may not (R. W. Peelle's
+/// puzzle, 1987).
+pub fn combine(first: &Model, second: &Model) -> Option<Measured<Length>> {
+    let (z1, z2) = (first.depth().m(), second.depth().m());
+    let (r1, r2) = (first.own_relative_sigma(), second.own_relative_sigma());
+    let r = root_sum_of_squares(&[r1, r2]);
+    if r == 0.0 {
+        return None;
+    }
+    let weight_of_second = (r1 / r) * (r1 / r);
+    let log_ratio = log_ratio(z1, z2);
+    // From the weightier of the two, so that the exponential stays in range however far they are apart.
+    let value = if weight_of_second <= 0.5 {
+        z1 * (-weight_of_second * log_ratio).exp()
+    } else {
+        z2 * ((r2 / r) * (r2 / r) * log_ratio).exp()
+    };
+    let value = value.clamp(z1.min(z2), z1.max(z2));
+    let relative = root_sum_of_squares(&[r1 * (r2 / r), first.focal_length().relative()]);
+    Some(Measured::from_base(value, value * relative))
+}

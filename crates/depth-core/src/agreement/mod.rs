@@ -1,0 +1,12 @@
+//! Two distances to the same object: do they agree, what do they say together, and what is likely to be wrong if not.
+//!
+//! Both are computed from the same focal length. Its error moves both alike: it can neither make them disagree nor be
+//! averaged away.
+
+mod combination;
+mod comparison;
+mod suspects;
+
+pub use combination::combine;
+pub use comparison::{Agreement, Verdict, compare};
+pub use suspects::{Suspect, suspects};

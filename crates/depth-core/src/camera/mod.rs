@@ -1,0 +1,23 @@
+//! Where a camera's numbers come from, and where a pixel lies in space.
+//!
+//! A pinhole camera: x to the right, y down, z along the optical axis; pixel coordinates with the origin in the center of
+//! the first pixel, as OpenCV has them.
+//!
+//! `None` from a function here means: an input is not positive, or the result cannot be represented.
+
+mod focal_length;
+mod ground;
+mod intrinsics;
+mod point;
+mod sensor;
+mod tilt;
+
+pub use focal_length::{
+    diagonal, focal_length_from_field_of_view, focal_length_from_pixel_pitch, focal_length_from_reference_photo,
+    focal_length_from_sensor_width, resized_focal_length,
+};
+pub use ground::{GroundSolution, GroundView};
+pub use intrinsics::{Intrinsics, OnSensor, field_of_view, pixel_size};
+pub use point::{PointSolution, PointView};
+pub use sensor::{SENSOR_FORMATS, SensorBasis, SensorFormat};
+pub use tilt::{TiltSolution, TiltedTarget, depth_of_tilted_target};

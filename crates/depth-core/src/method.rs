@@ -1,0 +1,74 @@
+//! [`Method`]: the two ways to a distance.
+
+use crate::field::Field;
+
+/// The two ways to a distance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Method {
+    /// Two cameras: D = fx·b/d.
+    Stereo,
+    /// One camera and an object of known width: D = w_real·fx/w_img.
+    Monocular,
+}
+
+impl Method {
+    /// Both, stereo first.
+    pub const ALL: [Self; 2] = [Self::Stereo, Self::Monocular];
+
+    /// The inputs of the method, in reading order.
+    ///
+    /// ```
+    /// use depth_core::problem::{Field, Method};
+    ///
+    /// assert_eq!(Method::Stereo.fields(), [Field::FocalLength, Field::Baseline, Field::Disparity]);
+    /// ```
+    pub const fn fields(self) -> [Field; 3] {
+        match self {
+            Self::Stereo => [Field::FocalLength, Field::Baseline, Field::Disparity],
+            Self::Monocular => [Field::FocalLength, Field::ImageWidth, Field::RealWidth],
+        }
+    }
+
+    /// The inputs that only this method uses: filling one of them means that the person wants this method.
+    ///
+    /// ```
+    /// use depth_core::problem::{Field, Method};
+    ///
+    /// assert_eq!(Method::Monocular.own_fields(), [Field::ImageWidth, Field::RealWidth]);
+    /// ```
+    pub const fn own_fields(self) -> [Field; 2] {
+        match self {
+            Self::Stereo => [Field::Baseline, Field::Disparity],
+            Self::Monocular => [Field::ImageWidth, Field::RealWidth],
+        }
+    }
+
+    /// "Stereo" or "Monocular".
+    ///
+    /// ```
+    /// use depth_core::problem::Method;
+    ///
+    /// assert_eq!(Method::Stereo.name(), "Stereo");
+    /// ```
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Stereo => "Stereo",
+            Self::Monocular => "Monocular",
+        }
+    }
+
+    /// The formula with its symbols.
+    ///
+    /// ```
+    /// use depth_core::problem::Method;
+    ///
+    /// assert_eq!(Method::Stereo.formula(), "D = fx · b / d");
+    /// ```
+    pub const fn formula(self) -> &'static str {
+        match self {
+            Self::Stereo => "D = fx · b / d",
+            Self::Monocular => "D = w_real · fx / w_img",
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! [`Solution`]: everything that follows from a [`Problem`].
+
+use super::inputs::Problem;
+use crate::agreement::{self, Agreement, Suspect};
+use crate::field::Field;
+use crate::judge::Refusal;
+use crate::measured::Measured;
+use crate::method::Method;
+use crate::quantity::{Length, Pixels};
+use crate::uncertainty::Uncertainty;
+
+/// What came of one method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Outcome {
+    /// An input is missing or was not readable.
+    Incomplete,
+    /// The distance: finite, normal and positive.
+    Distance(Length),
+    /// Complete, but no distance can be given; `field` is the input to look at.
+    Refused {
+        /// The input to blame.
+        field: Field,
+        /// Why.
+        refusal: Refusal,
+    },
+}
+
+impl Outcome {
+    /// The distance, where there is one.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// assert_eq!(mug.solve().stereo.distance().unwrap().m(), 1.4);
+    /// ```
+    pub const fn distance(self) -> Option<Length> {
+        match self {
+            Self::Distance(distance) => Some(distance),
+            Self::Incomplete | Self::Refused { .. } => None,
+        }
+    }
+}
+
+/// What two distances with σ say together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Comparison {
+    /// Both combined; `None` where only the shared focal length has a σ, so that nothing weighs them.
+    pub combined: Option<Measured<Length>>,
+    /// Whether they agree; if not, [`Solution::suspects`] says what to look at.
+    pub agreement: Agreement,
+}
+
+/// Everything computed from a [`Problem`]; made once when the inputs change.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solution {
+    /// What it was computed from.
+    pub problem: Problem,
+    /// D = fx·b/d.
+    pub stereo: Outcome,
+    /// D = w_real·fx/w_img.
+    pub monocular: Outcome,
+    /// w_real·fx/D, with the stereo distance whenever there is one.
+    pub estimated_width_px: Option<Pixels>,
+    /// w_img·D/fx, with the stereo distance whenever there is one.
+    pub estimated_width: Option<Length>,
+    /// How sure one can be of the stereo distance; `None` where no input has a σ.
+    pub stereo_uncertainty: Option<Uncertainty>,
+    /// How sure one can be of the monocular distance; `None` where no input has a σ.
+    pub monocular_uncertainty: Option<Uncertainty>,
+    /// What both say together; `None` unless both are known with σ.
+    pub comparison: Option<Comparison>,
+    /// An input whose σ is out of all proportion to its value, so that nothing can be said.
+    pub unusable_sigma: Option<Field>,
+}
+
+impl Solution {
+    /// The outcome of `method`.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// use depth_core::problem::{Method, Outcome};
+    ///
+    /// assert_eq!(mug.solve().outcome(Method::Monocular), Outcome::Incomplete);
+    /// ```
+    pub const fn outcome(&self, method: Method) -> Outcome {
+        match method {
+            Method::Stereo => self.stereo,
+            Method::Monocular => self.monocular,
+        }
+    }
+
+    /// How sure one can be of the distance of `method`.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// use depth_core::problem::Method;
+    ///
+    /// assert!(mug.solve().uncertainty(Method::Stereo).is_none());
+    /// // 2 %.
+    /// mug.set_sigma(Field::Disparity, 1.0);
+    /// assert!((mug.solve().uncertainty(Method::Stereo).unwrap().sigma.m() - 0.028).abs() < 1e-12);
+    /// ```
+    pub const fn uncertainty(&self, method: Method) -> Option<&Uncertainty> {
+        match method {
+            Method::Stereo => self.stereo_uncertainty.as_ref(),
+            Method::Monocular => self.monocular_uncertainty.as_ref(),
+        }
+    }
+
+    /// What to look at where both distances disagree, likeliest first; empty where they agree. Worked out on demand, because
+    /// few want it: [`agreement::suspects`].
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// use depth_core::agreement::Suspect;
+    ///
+    /// // 16 times too many pixels: 0.0875 m against 1.4 m.
+    /// mug.set(Field::Disparity, Some(800.0));
+    /// mug.set(Field::ImageWidth, Some(150.0));
+    /// mug.set(Field::RealWidth, Some(0.3));
+    /// mug.set_sigma(Field::Disparity, 8.0);
+    /// mug.set_sigma(Field::ImageWidth, 2.0);
+    /// assert_eq!(mug.solve().suspects().first(), Some(&Suspect::RawDisparity { scale: 16.0 }));
+    /// ```
+    pub fn suspects(&self) -> Vec<Suspect> {
+        match (&self.stereo_uncertainty, &self.monocular_uncertainty) {
+            (Some(stereo), Some(monocular)) => agreement::suspects(&stereo.model, &monocular.model),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The stereo distances with the disparity one pixel larger (nearer) and one smaller; the second is `None` where the
+    /// object would be infinitely far away. `None` as a whole without a stereo distance.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// // 70/51 and 70/49.
+    /// let (near, far) = mug.solve().one_pixel_range().unwrap();
+    /// assert!((near.m() - 1.372549).abs() < 1e-6);
+    /// assert!((far.unwrap().m() - 1.428571).abs() < 1e-6);
+    /// ```
+    pub fn one_pixel_range(&self) -> Option<(Length, Option<Length>)> {
+        self.stereo.distance()?;
+        Some((self.problem.stereo_distance_if(1.0)?, self.problem.stereo_distance_if(-1.0)))
+    }
+
+    /// How far the entered image width is off what the stereo distance and the real width predict, as a fraction of the
+    /// prediction: w_img / (w_real·fx/D) − 1. `None` unless both methods have a distance; the same figure holds for the
+    /// real width.
+    ///
+    /// With both distances known it equals D_stereo/D_monocular − 1.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// mug.set(Field::RealWidth, Some(0.3));
+    /// // 0.3 m at 1.4 m are 150 px; 165 px are 10 % more.
+    /// mug.set(Field::ImageWidth, Some(165.0));
+    /// assert!((mug.solve().width_discrepancy().unwrap() - 0.1).abs() < 1e-12);
+    /// ```
+    pub fn width_discrepancy(&self) -> Option<f64> {
+        let ratio = self.stereo.distance()?.m() / self.monocular.distance()?.m();
+        Some(ratio - 1.0).filter(|r| r.is_finite())
+    }
+}

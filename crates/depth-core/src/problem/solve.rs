@@ -1,0 +1,175 @@
+//! [`Problem`] to [`Solution`], the one step.
+
+use super::inputs::Problem;
+use super::solution::{Comparison, Outcome, Solution};
+use crate::field::Field;
+use crate::judge::{Refusal, Unsolvable};
+use crate::measured::Measured;
+use crate::method::Method;
+use crate::model::Model;
+use crate::quantity::{Length, Pixels};
+use crate::uncertainty::Uncertainty;
+use crate::{agreement, monocular, stereo};
+
+impl Problem {
+    /// Everything that follows from what is known.
+    ///
+    /// Never fails and never holds a NaN or an infinity: what cannot be had is absent, and where the inputs of a method are
+    /// complete but useless the method says [why](Outcome::Refused).
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// assert_eq!(mug.solve().stereo.distance().unwrap().m(), 1.4);
+    /// ```
+    pub fn solve(&self) -> Solution {
+        let stereo = self.solve_method(Method::Stereo);
+        let monocular = self.solve_method(Method::Monocular);
+        // With the monocular distance the two widths would only repeat the input.
+        let reference = stereo.distance().or(monocular.distance());
+        let real_width = self.real_width.filter(|_| self.check(Field::RealWidth).is_ok());
+        let image_width = self.image_width.filter(|_| self.check(Field::ImageWidth).is_ok());
+        let estimated_width_px = match (self.focal_length, real_width, reference) {
+            (Some(f), Some(w), Some(z)) => finite_px(monocular::width_in_image(f.value, w.value, z)),
+            _ => None,
+        };
+        let estimated_width = match (self.focal_length, image_width, reference) {
+            (Some(f), Some(w), Some(z)) => finite_length(monocular::real_width(f.value, w.value, z)),
+            _ => None,
+        };
+        let uncertainty = |method, outcome: Outcome| outcome.distance().and_then(|_| self.uncertainty(method));
+        let (stereo_uncertainty, unusable) = split(uncertainty(Method::Stereo, stereo));
+        let (monocular_uncertainty, also_unusable) = split(uncertainty(Method::Monocular, monocular));
+        let comparison = match (&stereo_uncertainty, &monocular_uncertainty) {
+            (Some(stereo), Some(monocular)) => Some(Comparison {
+                combined: agreement::combine(&stereo.model, &monocular.model),
+                agreement: agreement::compare(&stereo.model, &monocular.model),
+            }),
+            _ => None,
+        };
+        Solution {
+            problem: *self,
+            stereo,
+            monocular,
+            estimated_width_px,
+            estimated_width,
+            stereo_uncertainty,
+            monocular_uncertainty,
+            comparison,
+            unusable_sigma: unusable.or(also_unusable),
+        }
+    }
+
+    /// The stereo distance had the disparity been `shift` px larger (nearer) or smaller (farther); `None` where the object
+    /// would be infinitely far away or the inputs are incomplete.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// // 70/(50 + 20).
+    /// assert_eq!(mug.stereo_distance_if(20.0).unwrap().m(), 1.0);
+    /// assert_eq!(mug.stereo_distance_if(-50.0), None);
+    /// ```
+    pub fn stereo_distance_if(&self, shift: f64) -> Option<Length> {
+        let disparity = self.effective_disparity()?.px() + shift;
+        if disparity <= 0.0 {
+            return None;
+        }
+        finite_length(stereo::depth(
+            self.focal_length?.value,
+            self.baseline?.value,
+            Pixels::new(disparity),
+        ))
+    }
+
+    /// The inputs of `method` with their σ, as one model.
+    fn model(&self, method: Method) -> Option<Result<Model, Unsolvable>> {
+        let focal_length = self.focal_length?;
+        Some(match method {
+            Method::Stereo => Model::stereo(focal_length, self.baseline?, self.disparity?, self.offset()),
+            Method::Monocular => Model::monocular(focal_length, self.real_width?, self.image_width?),
+        })
+    }
+
+    /// How sure one can be of the distance of `method`; `None` where no input has a σ. The error names the input whose σ is
+    /// out of all proportion.
+    fn uncertainty(&self, method: Method) -> Option<Result<Uncertainty, Field>> {
+        match self.model(method)? {
+            Ok(model) if model.relative_sigma() == 0.0 => None,
+            Ok(model) => Some(Ok(Uncertainty::new(model))),
+            Err(unsolvable) => Some(Err(unsolvable.field().unwrap_or_else(|| self.least_certain(method)))),
+        }
+    }
+
+    /// The input of `method` with the largest σ for its value.
+    fn least_certain(&self, method: Method) -> Field {
+        let relative = |field: Field| self.measured(field).map_or(0.0, Measured::relative);
+        let [first, others @ ..] = method.fields();
+        others
+            .into_iter()
+            .fold(first, |worst, field| if relative(field) > relative(worst) { field } else { worst })
+    }
+
+    fn solve_method(&self, method: Method) -> Outcome {
+        for field in method.fields() {
+            if let Err(refusal) = self.check(field) {
+                return Outcome::Refused { field, refusal };
+            }
+        }
+        let distance = match method {
+            Method::Stereo => match (self.focal_length, self.baseline, self.effective_disparity()) {
+                (Some(f), Some(b), Some(d)) => stereo::depth(f.value, b.value, d),
+                _ => return Outcome::Incomplete,
+            },
+            Method::Monocular => match (self.focal_length, self.real_width, self.image_width) {
+                (Some(f), Some(w), Some(p)) => monocular::depth(f.value, w.value, p.value),
+                _ => return Outcome::Incomplete,
+            },
+        };
+        match finite_length(distance) {
+            Some(distance) => Outcome::Distance(distance),
+            None => Outcome::Refused {
+                field: self.least_usual(method),
+                refusal: Refusal::TooExtreme,
+            },
+        }
+    }
+
+    /// The input of `method` that lies furthest, in orders of magnitude, outside its usual range.
+    fn least_usual(&self, method: Method) -> Field {
+        let strangeness = |field: Field| {
+            let (low, high) = field.usual_range();
+            self.get(field)
+                .map_or(0.0, |v| (low.ln() - v.ln()).max(v.ln() - high.ln()).max(0.0))
+        };
+        let [first, second, third] = method.fields();
+        [second, third].into_iter().fold(
+            first,
+            |worst, field| {
+                if strangeness(field) > strangeness(worst) { field } else { worst }
+            },
+        )
+    }
+}
+
+fn split(uncertainty: Option<Result<Uncertainty, Field>>) -> (Option<Uncertainty>, Option<Field>) {
+    match uncertainty {
+        Some(Ok(uncertainty)) => (Some(uncertainty), None),
+        Some(Err(field)) => (None, Some(field)),
+        None => (None, None),
+    }
+}
+
+fn finite_length(length: Length) -> Option<Length> {
+    length.m().is_normal().then_some(length)
+}
+
+fn finite_px(pixels: Pixels) -> Option<Pixels> {
+    pixels.px().is_normal().then_some(pixels)
+}
