@@ -63,7 +63,7 @@ fn filled(sigma: &str) -> String {
         "Tilt of the target": "20", "Height of the camera": "1.5", "Pitch of the camera, downwards": "10", "Row of the point on the floor": "620",
     });
     json!({
-        "version": 1, "inputs": inputs, "result_unit": "m", "theme": "light", "screen": "calculator", "shows_geometry": true, "texts": texts,
+        "version": 2, "inputs": inputs, "result_unit": "m", "theme": "light", "screen": "calculator", "shows_geometry": true, "texts": texts,
     })
     .to_string()
 }

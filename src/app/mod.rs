@@ -231,11 +231,11 @@ impl App {
                 let text = report::report(&self.sheet.inputs, self.sheet.assessment(), self.settings.result_unit);
                 self.platform.copy(ctx, text);
             }
-            Command::Fix(field, entry) => {
-                *self.sheet.inputs.entry_mut(field) = entry;
-                self.sheet.inputs.tidy(field);
+            Command::Fix(key, entry) => {
+                self.sheet.inputs.fill(key, entry);
+                self.sheet.inputs.tidy(key);
                 self.calculator.helper = None;
-                ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(field)));
+                ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(key)));
             }
             Command::DragDisparity(disparity) => self.sheet.inputs.entry_mut(Field::Disparity).text = number::plain(disparity),
             Command::ShowDialog(dialog) => self.dialog = dialog,
@@ -261,11 +261,11 @@ impl App {
             .notes
             .iter()
             .filter(|note| note.severity == Severity::Error)
-            .map(|note| note.field);
+            .map(|note| note.key);
         let missing = self.sheet.inputs.missing();
-        let first = errors.chain(missing.iter().map(|note| note.field)).min();
+        let first = errors.chain(missing.iter().map(|note| note.key)).min();
         match first {
-            Some(field) => ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(field))),
+            Some(key) => ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(key))),
             None => self.calculator.reveal_results = Layout::of_width(ctx.content_rect().width()) == Layout::Phone,
         }
     }

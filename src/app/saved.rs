@@ -2,6 +2,7 @@
 
 use crate::core::quantity::LengthUnit;
 use crate::formats::inputs::Inputs;
+use crate::formats::version1;
 use egui::ThemePreference;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -69,15 +70,21 @@ pub struct Saved {
     pub settings: Settings,
 }
 
-/// The version of the stored text. A text of another version is not read.
-const VERSION: u32 = 1;
+/// The version of the stored text. Version 1 is still read, a text of any other is not.
+const VERSION: u32 = 2;
+
+/// What says how to read the rest.
+#[derive(Deserialize)]
+struct StoredVersion {
+    version: u32,
+}
 
 /// The stored text. Strict on purpose: a text that only half fits is not what was stored.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Stored {
+struct Stored<I> {
     version: u32,
-    inputs: Inputs,
+    inputs: I,
     result_unit: LengthUnit,
     theme: StoredTheme,
     screen: Screen,
@@ -119,9 +126,19 @@ impl Saved {
 
     /// What was stored as `text`; `None` where it is corrupt or of another version.
     pub fn from_text(text: &str) -> Option<Self> {
-        let stored: Stored = serde_json::from_str(text).ok()?;
-        (stored.version == VERSION).then_some(Self {
-            inputs: stored.inputs,
+        let StoredVersion { version } = serde_json::from_str(text).ok()?;
+        match version {
+            1 => serde_json::from_str::<Stored<version1::StoredInputs>>(text).ok().map(Self::from),
+            VERSION => serde_json::from_str::<Stored<Inputs>>(text).ok().map(Self::from),
+            _ => None,
+        }
+    }
+}
+
+impl<I: Into<Inputs>> From<Stored<I>> for Saved {
+    fn from(stored: Stored<I>) -> Self {
+        Self {
+            inputs: stored.inputs.into(),
             settings: Settings {
                 result_unit: stored.result_unit,
                 theme: match stored.theme {
@@ -133,7 +150,7 @@ impl Saved {
                 shows_geometry: stored.shows_geometry,
                 texts: stored.texts,
             },
-        })
+        }
     }
 }
 
@@ -158,6 +175,40 @@ mod tests {
         assert_eq!(Saved::from_text(&saved.to_text().unwrap()), Some(saved));
     }
 
+    /// As the program wrote it when its fields had no keys.
+    const VERSION_1: &str = r#"{"version":1,"inputs":{"focal_length":{"text":"700"},"baseline":{"text":"10","unit":"cm"},"disparity":{"text":""},"doffs":{"text":""},"image_width":{"text":"150"},"real_width":{"text":"","unit":"m"},"sigmas":{"FocalLength":"2","Baseline":"0.5 %"},"with_uncertainty":true,"unknown":["Stereo","Disparity"],"distance":{"text":"1.4","unit":"ft"},"distance_sigma":"1 %"},"result_unit":"in","theme":"dark","screen":"learn","shows_geometry":true,"texts":{"Principal point cx":"640","Pitch of the camera, downwards":"10","σ of Pitch of the camera, downwards":"0,5","Focal length of the lens":"4","Q matrix":"1 0 0","way: FocalLength":"Lens and sensor width","way: Disparity":"KITTI, 16-bit image","Of nothing known":"7"}}"#;
+
+    #[test]
+    fn what_version_1_stored_is_read() {
+        use crate::core::problem::{Field, Method};
+        use crate::formats::fields;
+        use crate::formats::inputs::Entry;
+        let saved = Saved::from_text(VERSION_1).unwrap();
+        let sigma = |entry: Entry, sigma: &str| Entry {
+            sigma: sigma.into(),
+            ..entry
+        };
+        for (key, entry) in [
+            (fields::FOCAL_LENGTH, sigma(Entry::new("700", None), "2")),
+            (fields::BASELINE, sigma(Entry::new("10", Some(LengthUnit::Centimetre)), "0.5 %")),
+            (fields::DISPARITY, Entry::new("", None)),
+            (fields::IMAGE_WIDTH, Entry::new("150", None)),
+            (fields::DISTANCE, sigma(Entry::new("1.4", Some(LengthUnit::Foot)), "1 %")),
+        ] {
+            assert_eq!(saved.inputs.entry(key), &entry, "{key:?}");
+        }
+        assert!(saved.inputs.with_uncertainty);
+        assert_eq!(saved.inputs.unknown, Some((Method::Stereo, Field::Disparity)));
+        assert_eq!(
+            (saved.settings.result_unit, saved.settings.theme, saved.settings.screen),
+            (LengthUnit::Inch, ThemePreference::Dark, Screen::Learn)
+        );
+        // From now on it is stored as every other text.
+        let text = saved.to_text().unwrap();
+        assert!(text.starts_with("{\"version\":2,"), "{text}");
+        assert_eq!(Saved::from_text(&text), Some(saved));
+    }
+
     #[test]
     fn corrupt_and_older_texts_are_not_read() {
         let good = Saved::default().to_text().unwrap();
@@ -167,7 +218,9 @@ mod tests {
             "{}",
             "[1,2",
             "\u{0}",
-            &good.replace("\"version\":1", "\"version\":0"),
+            &good.replace("\"version\":2", "\"version\":0"),
+            &good.replace("\"version\":2", "\"version\":3"),
+            &VERSION_1.replace("\"in\"", "\"parsec\""),
             &good.replace("\"m\"", "\"parsec\""),
         ] {
             assert_eq!(Saved::from_text(bad), None, "{bad}");

@@ -6,6 +6,7 @@ mod json;
 mod manual;
 mod text;
 
+use crate::formats::sentences::CommandLine;
 use calculate::Calculate;
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
@@ -105,10 +106,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, out: &mut dyn Write, e
         Ok(Cli { command: Some(task) }) => task.reply(),
         Ok(Cli { command: None }) => {
             let _ = writeln!(err, "{}", Cli::command().render_help());
-            Err(
-                "Without a window a command is needed, such as: depth-calculator calculate --fx 700 --baseline 100mm --disparity 50"
-                    .to_owned(),
-            )
+            Err(CommandLine::NoCommand.to_string())
         }
         Err(error) if error.use_stderr() => Err(in_one_line(&error)),
         Err(help_or_version) => Ok(Reply::without_warnings(help_or_version.render().to_string())),
@@ -205,7 +203,8 @@ fn written(text: &str, out: &mut dyn Write, err: &mut dyn Write) -> ExitCode {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             let reason = error.to_string();
             let reason = reason.split(" (os error").next().unwrap_or_default();
-            let _ = writeln!(err, "{NAME}: The answer could not be written: {reason}.");
+            let sentence = CommandLine::NotWritten { reason: reason.to_owned() };
+            let _ = writeln!(err, "{NAME}: {sentence}");
             ExitCode::FAILURE
         }
         _ => ExitCode::SUCCESS,

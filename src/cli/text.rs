@@ -5,6 +5,7 @@ use crate::core::agreement::Verdict;
 use crate::core::problem::{Field, Known, Method, Solution};
 use crate::core::quantity::{Length, LengthUnit};
 use crate::formats::report;
+use crate::formats::sentences::Statement;
 
 /// Significant digits of a number without σ.
 const DIGITS: u8 = 4;
@@ -12,9 +13,6 @@ const DIGITS: u8 = 4;
 const TYPED_DIGITS: u8 = 12;
 /// Of a length that may have been typed in another unit: 120 mm are 4.7244094 in.
 const CONVERTED_DIGITS: u8 = 8;
-
-const FIRST_ORDER_IS_POOR: &str =
-    "The pixels are known to worse than 10 %: plus or minus σ is a poor description here, the interval is right.";
 
 /// The answer with its lengths in `unit`, a line each.
 pub(super) fn answer(solution: &Solution, unit: LengthUnit) -> String {
@@ -53,7 +51,7 @@ fn of_method(solution: &Solution, method: Method, unit: LengthUnit) -> Option<Ve
         lines.push(format!("  1 σ interval: {}", interval(known, unit)));
         lines.push(format!("  variance: {}", report::budget(known)));
         if !known.model.first_order_is_good() {
-            lines.push(format!("  {FIRST_ORDER_IS_POOR}"));
+            lines.push(format!("  {}", Statement::FirstOrderIsPoor { has_simulation: false }));
         }
     }
     if method == Method::Stereo
@@ -71,8 +69,8 @@ fn of_method(solution: &Solution, method: Method, unit: LengthUnit) -> Option<Ve
 /// Whether both methods agree, and what to look at if not.
 fn agreement(solution: &Solution) -> Vec<String> {
     let Some(together) = &solution.together else { return Vec::new() };
-    let suspects = together.agreement.suspects.iter().map(report::suspect_sentence);
-    std::iter::once(report::agreement_sentence(&together.agreement))
+    let suspects = together.agreement.suspects.iter().map(Statement::suspect);
+    std::iter::once(Statement::agreement(&together.agreement))
         .chain(suspects)
         .map(|sentence| format!("  {sentence}"))
         .collect()
@@ -94,7 +92,7 @@ fn widths(solution: &Solution, unit: LengthUnit) -> Vec<String> {
         lines.push(format!("Real width that the width in the image predicts: {}", length(width, unit)));
     }
     if solution.width_discrepancy().is_some() {
-        lines.push(format!("  {}", report::width_check(solution)));
+        lines.push(format!("  {}", Statement::widths(solution)));
     }
     lines
 }

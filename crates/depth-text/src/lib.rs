@@ -1,7 +1,24 @@
-//! Text in and out: numbers as people type them, the form as a whole, links, and the report that is copied.
+//! Text in and out: what people type, what it means, and what is said about it.
+//!
+//! ```text
+//! Entry (as typed) -> Reading (parsed once) | Note (a sentence) -> Problem -> Solution -> report, link
+//! ```
+//!
+//! [`fields`] is the table of everything that can be typed, [`sentences`] has everything that is said.
 
+pub mod assess;
+pub mod entry;
+pub mod field;
+pub mod fields;
 pub mod inputs;
 pub mod link;
+pub mod note;
 pub mod number;
+mod problem;
 pub mod q_matrix;
+pub mod reading;
 pub mod report;
+pub mod sentences;
+mod step;
+pub mod unit;
+pub mod version1;

@@ -1,9 +1,13 @@
 //! The results in words: the table of parameters, the formulas with their numbers, and the text that *Copy Results* puts on
 //! the clipboard.
 
-use crate::inputs::{Assessment, Inputs, Unknown, capital};
+use crate::field::Key;
+use crate::inputs::{Assessment, Inputs, Unknown};
 use crate::number::{self, NO_NUMBER, exact, plain, significant};
-use depth_core::agreement::{Agreement, Suspect, Verdict};
+use crate::reading;
+use crate::sentences::{Statement, quoted};
+use crate::unit::Unit;
+use depth_core::agreement::{Agreement, Suspect};
 use depth_core::problem::{Field, Known, Method, Solution};
 use depth_core::quantity::{Length, LengthUnit};
 
@@ -64,24 +68,7 @@ pub fn formula_with_numbers(solution: &Solution, method: Method) -> Option<Strin
 
 /// How far the entered widths are off what the stereo distance predicts, in a sentence, or what would be needed to know.
 pub fn width_check(solution: &Solution) -> String {
-    match solution.width_discrepancy() {
-        Some(off) if off.abs() < 0.0005 => {
-            "Computed from the stereo distance, as a check: both widths agree with what you entered to within 0.1 %.".to_owned()
-        }
-        Some(off) => format!(
-            "Computed from the stereo distance, as a check. The width you entered in the image is {} % {} than they predict; so is the real width.",
-            significant(off.abs() * 100.0, 2),
-            if off > 0.0 { "larger" } else { "smaller" },
-        ),
-        None if solution.stereo.distance().is_some() => {
-            "Computed from the stereo distance. Enter both widths to check one method against the other.".to_owned()
-        }
-        None if solution.monocular.distance().is_some() => {
-            "Without a stereo distance these only repeat what you entered. Enter a baseline and a disparity to make them a check."
-                .to_owned()
-        }
-        None => "Computed from the stereo distance, as a check on the widths you entered.".to_owned(),
-    }
+    Statement::widths(solution).to_string()
 }
 
 /// One row of the table "Key input parameters and outputs".
@@ -153,35 +140,38 @@ pub const ESTIMATED_WIDTH_M: &str = "Estimated object width (meters)";
 
 /// The text for the clipboard: inputs as typed, results rounded in `unit` and with every digit.
 pub fn report(inputs: &Inputs, assessment: &Assessment, unit: LengthUnit) -> String {
-    let solution = &assessment.solution;
     let mut lines = vec!["Depth Calculator".to_owned(), String::new(), "Inputs".to_owned()];
-    for field in Field::ALL {
-        let entry = inputs.entry(field);
-        if field == Field::Doffs && entry.is_blank() {
-            continue;
-        }
-        let mut value = match solution.problem.get(field) {
-            Some(_) => {
-                let number = number::read(&entry.text).map_or(entry.text.trim(), |typed| typed.number_text);
-                format!("{number} {}", inputs.unit(field).map_or("px", LengthUnit::symbol))
-            }
-            None if entry.is_blank() => "not given".to_owned(),
-            None => format!("{} (not usable)", number::quoted(&entry.text)),
-        };
-        let sigma = inputs.sigma(field).trim();
-        if inputs.with_uncertainty && !sigma.is_empty() {
-            value.push_str(&format!(" ± {}", sigma.trim_start_matches('±').trim()));
-        }
-        lines.push(format!("  {}: {value}", field.name()));
+    for key in Key::form().filter(|key| !key.is_optional || !inputs.entry(*key).is_blank()) {
+        lines.push(format!("  {}: {}", key.name, input(inputs, assessment, key)));
     }
     lines.push(String::new());
     lines.push("Results".to_owned());
     lines.extend(results(assessment, unit).into_iter().map(|line| format!("  {line}")));
     for note in &assessment.notes {
-        lines.push(format!("  Note on {}: {}", note.field.name(), note.message));
+        lines.push(format!("  Note on {}: {}", note.key.name, note.issue));
     }
     lines.push(String::new());
     lines.join("\n")
+}
+
+/// One input as typed, with its σ.
+fn input(inputs: &Inputs, assessment: &Assessment, key: Key) -> String {
+    let entry = inputs.entry(key);
+    let is_used = key.input.is_none_or(|field| assessment.solution.problem.get(field).is_some());
+    let mut value = match assessment.reading(key) {
+        Some(reading) if is_used => reading.text(),
+        None if is_used && key.input.is_some() => {
+            // It was solved for; what is in the field did not count.
+            format!("{} {}", entry.text.trim(), entry.chosen_unit(key).map_or("", Unit::symbol))
+        }
+        _ if entry.is_blank() => "not given".to_owned(),
+        _ => format!("{} (not usable)", quoted(&entry.text)),
+    };
+    let sigma = reading::sigma_text(entry);
+    if inputs.with_uncertainty && !sigma.is_empty() {
+        value.push_str(&format!(" ± {sigma}"));
+    }
+    value
 }
 
 /// The results, a line each: rounded in `unit`, and with every digit.
@@ -324,14 +314,13 @@ pub fn percent(share: f64) -> String {
 }
 
 /// What is said where σ alone would mislead.
-pub const FIRST_ORDER_IS_POOR: &str =
-    "The pixels are known to worse than 10 %: ± σ is a poor description here, the interval and the simulation are right.";
+pub const FIRST_ORDER_IS_POOR: Statement = Statement::FirstOrderIsPoor { has_simulation: true };
 
 /// What was solved for with its uncertainty, in `unit` (`None`: pixels), or what is lacking: "100.0 ± 1.2 mm".
 pub fn unknown(unknown: &Unknown, unit: Option<LengthUnit>) -> String {
     let found = match &unknown.outcome {
         Ok(found) => found,
-        Err(reason) => return reason.clone(),
+        Err(reason) => return reason.to_string(),
     };
     let in_unit = |base: f64| unit.map_or(base, |unit| Length::from_m(base).in_unit(unit));
     let symbol = unit.map_or("px", LengthUnit::symbol);
@@ -345,51 +334,12 @@ pub fn unknown(unknown: &Unknown, unit: Option<LengthUnit>) -> String {
 
 /// Whether both distances agree, in a sentence.
 pub fn agreement_sentence(agreement: &Agreement) -> String {
-    let z = agreement.z.map_or_else(String::new, |z| {
-        // What is left of a difference by rounding is none.
-        let z = if z < 10.0 { format!("{z:.1}") } else { significant(z, 2) };
-        format!(" ({z} σ apart)")
-    });
-    match agreement.verdict {
-        Some(Verdict::Agree) => format!("Stereo and monocular agree within their uncertainties{z}."),
-        Some(Verdict::Doubtful) => format!("Stereo and monocular hardly agree{z}: one case in twenty, if the uncertainties are right."),
-        Some(Verdict::Disagree) => format!("Stereo and monocular disagree{z}: an input or its uncertainty is wrong."),
-        None => match agreement.ratio {
-            Some(ratio) => format!(
-                "Only the shared focal length has an uncertainty, so agreement cannot be judged; stereo is {} times monocular.",
-                significant(ratio, DIGITS)
-            ),
-            None => "Only the shared focal length has an uncertainty, so agreement cannot be judged.".to_owned(),
-        },
-    }
+    Statement::agreement(agreement).to_string()
 }
 
 /// What a suspect is suspected of, in a sentence.
 pub fn suspect_sentence(suspect: &Suspect) -> String {
-    match *suspect {
-        Suspect::RawDisparity { scale } => format!(
-            "Was the disparity divided by {}? {}",
-            plain(scale),
-            if scale == 16.0 {
-                "StereoBM and StereoSGBM store sixteenths of a pixel."
-            } else {
-                "Some files store fixed-point numbers."
-            }
-        ),
-        Suspect::Unit { source, taken, meant } => format!(
-            "Is {} really in {}? In {} the two would agree.",
-            source.noun(),
-            taken.name(),
-            meant.name()
-        ),
-        Suspect::Resized { source, times } => format!(
-            "Was {} counted in an image of another size ({} times) than the focal length belongs to?",
-            source.noun(),
-            plain(times)
-        ),
-        Suspect::NoSigma(field) => format!("{} is taken to be exact. How well is it known?", capital(field.noun())),
-        Suspect::LargestSigma(field) => format!("{} has the largest uncertainty: measure it again.", capital(field.noun())),
-    }
+    Statement::suspect(suspect).to_string()
 }
 
 #[cfg(test)]
@@ -428,19 +378,6 @@ mod tests {
             values.get(..4),
             Some(&[("700", "pixels"), ("0.1", "meters"), ("50", "pixels"), (NO_NUMBER, "pixels")][..])
         );
-    }
-
-    #[test]
-    fn distances_that_only_rounding_tells_apart_are_not_apart() {
-        for (z, expected) in [(5e-15, "(0.0 σ apart)"), (1.56, "(1.6 σ apart)"), (12.3, "(12 σ apart)")] {
-            let sentence = agreement_sentence(&Agreement {
-                ratio: Some(1.0),
-                z: Some(z),
-                verdict: Some(Verdict::of(z)),
-                suspects: Vec::new(),
-            });
-            assert!(sentence.contains(expected), "{sentence}");
-        }
     }
 
     #[test]

@@ -49,7 +49,7 @@ proptest! {
             prop_assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
         }
         for note in &assessment.notes {
-            prop_assert!(note.message.ends_with(['.', '?']), "{}", note.message);
+            prop_assert!(note.message().ends_with(['.', '?']), "{}", note.message());
         }
         let _ = report::report(&inputs, &assessment, result_unit);
         for field in Field::ALL {
@@ -70,7 +70,7 @@ proptest! {
                 let mut fixed = inputs.clone();
                 *fixed.entry_mut(field) = fix.entry.clone();
                 let after = fixed.assess().note(field).cloned();
-                prop_assert!(after.as_ref().is_none_or(|after| after.message != note.message), "{note:?} then {after:?}");
+                prop_assert!(after.as_ref().is_none_or(|after| after.message() != note.message()), "{note:?} then {after:?}");
             }
         }
     }

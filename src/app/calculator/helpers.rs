@@ -416,7 +416,7 @@ fn ask_way(ui: &mut Ui, way: &Way, texts: &mut Texts, height: f32, commands: &mu
     if use_button(ui, &label, usable.is_some(), height)
         && let Some(value) = usable
     {
-        commands.push(Command::Fix(way.field, Entry::new(plain(*value), None)));
+        commands.push(Command::Fix(way.field.into(), Entry::new(plain(*value), None)));
     }
 }
 
@@ -458,7 +458,7 @@ fn ask_q_matrix(ui: &mut Ui, inputs: &Inputs, texts: &mut Texts, height: f32, co
     let geometry = match q_matrix::read(typed) {
         Ok(geometry) => geometry,
         Err(reason) => {
-            text::note(ui, Severity::Error, &reason, Some(field.id));
+            text::note(ui, Severity::Error, &reason.to_string(), Some(field.id));
             return;
         }
     };
@@ -484,10 +484,13 @@ fn ask_q_matrix(ui: &mut Ui, inputs: &Inputs, texts: &mut Texts, height: f32, co
             let label = format!("{} {}", significant(geometry.baseline, 6), unit.symbol());
             if ui.add(Button::new(label).min_size(vec2(0.0, height))).clicked() {
                 let mut filled = inputs.clone();
-                *filled.entry_mut(Field::FocalLength) = Entry::new(plain(geometry.focal_length.px()), None);
-                *filled.entry_mut(Field::Baseline) = Entry::new(plain(geometry.baseline), Some(unit));
+                filled.fill(Field::FocalLength, Entry::new(plain(geometry.focal_length.px()), None));
+                filled.fill(Field::Baseline, Entry::new(plain(geometry.baseline), Some(unit)));
                 let doffs = geometry.doffs.px();
-                *filled.entry_mut(Field::Doffs) = Entry::new(if doffs == 0.0 { String::new() } else { plain(doffs) }, None);
+                filled.fill(
+                    Field::Doffs,
+                    Entry::new(if doffs == 0.0 { String::new() } else { plain(doffs) }, None),
+                );
                 commands.push(Command::PrincipalPoint(geometry.cx, geometry.cy));
                 commands.push(Command::Open(
                     Box::new(filled),
