@@ -12,7 +12,7 @@ mod widgets;
 
 use crate::core::problem::Field;
 use crate::formats::inputs::{Inputs, Severity};
-use crate::formats::{link, number, report};
+use crate::formats::{geometry, link, number, report};
 use calculator::Calculator;
 use command::{Command, Dialog};
 use egui::accesskit::Role;
@@ -240,7 +240,7 @@ impl App {
             Command::DragDisparity(disparity) => self.sheet.inputs.entry_mut(Field::Disparity).text = number::plain(disparity),
             Command::ShowDialog(dialog) => self.dialog = dialog,
             Command::Help(helper) => self.calculator.helper = helper,
-            Command::PrincipalPoint(cx, cy) => calculator::geometry::set_principal_point(&mut self.settings.texts, cx, cy),
+            Command::PrincipalPoint(cx, cy) => geometry::set_principal_point(&mut self.settings.entries, cx, cy),
             Command::ShowGeometry(shown) => self.settings.shows_geometry = shown,
             Command::Show(screen) => self.settings.screen = screen,
             Command::ShowResultsIn(unit) => self.settings.result_unit = unit,

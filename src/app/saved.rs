@@ -1,6 +1,7 @@
 //! What survives a reload and a restart.
 
 use crate::core::quantity::LengthUnit;
+use crate::formats::entry::Entries;
 use crate::formats::inputs::Inputs;
 use crate::formats::version1;
 use egui::ThemePreference;
@@ -42,12 +43,14 @@ pub struct Settings {
     pub screen: Screen,
     /// Whether range, tilt and ground plane are shown.
     pub shows_geometry: bool,
-    /// What was typed into helpers and into range, tilt and ground plane, by name.
-    pub texts: Texts,
+    /// What was typed into helpers and into range, tilt and ground plane.
+    pub entries: Entries,
+    /// The way chosen in each helper.
+    pub ways: Ways,
 }
 
-/// Texts by the name of the field that they were typed into.
-pub type Texts = BTreeMap<String, String>;
+/// The key of the chosen way, by that of the helper.
+pub type Ways = BTreeMap<String, String>;
 
 impl Default for Settings {
     fn default() -> Self {
@@ -56,7 +59,8 @@ impl Default for Settings {
             theme: ThemePreference::System,
             screen: Screen::Calculator,
             shows_geometry: false,
-            texts: Texts::new(),
+            entries: Entries::default(),
+            ways: Ways::new(),
         }
     }
 }
@@ -82,16 +86,48 @@ struct StoredVersion {
 /// The stored text. Strict on purpose: a text that only half fits is not what was stored.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Stored<I> {
+struct Stored {
     version: u32,
-    inputs: I,
+    inputs: Inputs,
     result_unit: LengthUnit,
     theme: StoredTheme,
     screen: Screen,
     #[serde(default)]
     shows_geometry: bool,
     #[serde(default)]
-    texts: Texts,
+    entries: Entries,
+    #[serde(default)]
+    ways: Ways,
+}
+
+/// The stored text of version 1, which kept texts by the English labels of their fields.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StoredVersion1 {
+    version: u32,
+    inputs: version1::StoredInputs,
+    result_unit: LengthUnit,
+    theme: StoredTheme,
+    screen: Screen,
+    #[serde(default)]
+    shows_geometry: bool,
+    #[serde(default)]
+    texts: BTreeMap<String, String>,
+}
+
+impl From<StoredVersion1> for Stored {
+    fn from(stored: StoredVersion1) -> Self {
+        Self {
+            version: stored.version,
+            inputs: stored.inputs.into(),
+            result_unit: stored.result_unit,
+            theme: stored.theme,
+            screen: stored.screen,
+            shows_geometry: stored.shows_geometry,
+            ways: version1::ways(&stored.texts),
+            entries: version1::entries(stored.texts),
+        }
+    }
 }
 
 #[derive(Clone, Copy, Serialize, Deserialize)]
@@ -119,7 +155,8 @@ impl Saved {
             },
             screen: self.settings.screen,
             shows_geometry: self.settings.shows_geometry,
-            texts: self.settings.texts.clone(),
+            entries: self.settings.entries.clone(),
+            ways: self.settings.ways.clone(),
         })
         .map_err(|error| error.to_string())
     }
@@ -128,17 +165,19 @@ impl Saved {
     pub fn from_text(text: &str) -> Option<Self> {
         let StoredVersion { version } = serde_json::from_str(text).ok()?;
         match version {
-            1 => serde_json::from_str::<Stored<version1::StoredInputs>>(text).ok().map(Self::from),
-            VERSION => serde_json::from_str::<Stored<Inputs>>(text).ok().map(Self::from),
+            1 => serde_json::from_str::<StoredVersion1>(text)
+                .ok()
+                .map(|stored| Stored::from(stored).into()),
+            VERSION => serde_json::from_str::<Stored>(text).ok().map(Self::from),
             _ => None,
         }
     }
 }
 
-impl<I: Into<Inputs>> From<Stored<I>> for Saved {
-    fn from(stored: Stored<I>) -> Self {
+impl From<Stored> for Saved {
+    fn from(stored: Stored) -> Self {
         Self {
-            inputs: stored.inputs.into(),
+            inputs: stored.inputs,
             settings: Settings {
                 result_unit: stored.result_unit,
                 theme: match stored.theme {
@@ -148,7 +187,8 @@ impl<I: Into<Inputs>> From<Stored<I>> for Saved {
                 },
                 screen: stored.screen,
                 shows_geometry: stored.shows_geometry,
-                texts: stored.texts,
+                entries: stored.entries,
+                ways: stored.ways,
             },
         }
     }
@@ -158,7 +198,18 @@ impl<I: Into<Inputs>> From<Stored<I>> for Saved {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::formats::inputs::Example;
+    use crate::formats::field::Key;
+    use crate::formats::fields;
+    use crate::formats::inputs::{Entry, Example};
+
+    fn entries(typed: &[(Key, &str, &str)]) -> Entries {
+        let mut entries = Entries::default();
+        for &(key, text, sigma) in typed {
+            entries.entry_mut(key).text = text.into();
+            entries.entry_mut(key).sigma = sigma.into();
+        }
+        entries
+    }
 
     #[test]
     fn what_is_stored_comes_back() {
@@ -169,7 +220,8 @@ mod tests {
                 theme: ThemePreference::Dark,
                 screen: Screen::Learn,
                 shows_geometry: true,
-                texts: Texts::from([("lens".into(), "4".into())]),
+                entries: entries(&[(fields::LENS, "4", "")]),
+                ways: Ways::from([("d".into(), "kitti".into())]),
             },
         };
         assert_eq!(Saved::from_text(&saved.to_text().unwrap()), Some(saved));
@@ -181,8 +233,6 @@ mod tests {
     #[test]
     fn what_version_1_stored_is_read() {
         use crate::core::problem::{Field, Method};
-        use crate::formats::fields;
-        use crate::formats::inputs::Entry;
         let saved = Saved::from_text(VERSION_1).unwrap();
         let sigma = |entry: Entry, sigma: &str| Entry {
             sigma: sigma.into(),
@@ -203,6 +253,15 @@ mod tests {
             (saved.settings.result_unit, saved.settings.theme, saved.settings.screen),
             (LengthUnit::Inch, ThemePreference::Dark, Screen::Learn)
         );
+        let typed = [
+            (fields::CX, "640", ""),
+            (fields::CAMERA_PITCH, "10", "0,5"),
+            (fields::LENS, "4", ""),
+            (fields::Q_MATRIX, "1 0 0", ""),
+        ];
+        assert_eq!(saved.settings.entries, entries(&typed));
+        let ways = [("d".to_owned(), "kitti".to_owned()), ("fx".to_owned(), "sensor-width".to_owned())];
+        assert_eq!(saved.settings.ways, Ways::from(ways));
         // From now on it is stored as every other text.
         let text = saved.to_text().unwrap();
         assert!(text.starts_with("{\"version\":2,"), "{text}");

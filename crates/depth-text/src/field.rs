@@ -200,6 +200,11 @@ impl Key {
         self.0.key
     }
 
+    /// What the field is, for as long as the program runs.
+    pub const fn spec(self) -> &'static FieldSpec {
+        self.0
+    }
+
     /// The fields of the form, in reading order.
     pub fn form() -> impl Iterator<Item = Self> {
         fields::TABLE.iter().copied().filter(|key| key.0.section.is_some())

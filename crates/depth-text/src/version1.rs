@@ -3,6 +3,7 @@
 use crate::entry::{Entries, Entry};
 use crate::fields;
 use crate::inputs::Inputs;
+use crate::ways::{DISPARITIES, FOCAL_LENGTHS, Way};
 use depth_core::problem::{Field, Method};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -68,7 +69,17 @@ pub fn entries(texts: BTreeMap<String, String>) -> Entries {
     entries
 }
 
-/// The way that version 1 noted as chosen in the helper `helper`, by its English name.
-pub fn chosen_way<'a>(texts: &'a BTreeMap<String, String>, helper: &str) -> Option<&'a str> {
-    texts.get(&format!("way: {helper}")).map(String::as_str)
+/// The ways that version 1 noted as chosen by their English names: the key of each by that of the field that it is for.
+pub fn ways(texts: &BTreeMap<String, String>) -> BTreeMap<String, String> {
+    let chosen = |label: &str, ways: &[Way]| {
+        let name = texts.get(label)?;
+        let way = ways.iter().find(|way| way.name == name);
+        // The Q matrix stood beside the ways to a focal length.
+        let is_q_matrix = name == "A Q matrix of stereoRectify";
+        way.map(|way| way.key).or(is_q_matrix.then_some(fields::Q_MATRIX.as_str()))
+    };
+    [("way: FocalLength", "fx", FOCAL_LENGTHS), ("way: Disparity", "d", DISPARITIES)]
+        .into_iter()
+        .filter_map(|(label, key, ways)| Some((key.to_owned(), chosen(label, ways)?.to_owned())))
+        .collect()
 }

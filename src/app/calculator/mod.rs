@@ -66,7 +66,7 @@ impl Calculator {
             }
         }
         if let Some(helper) = self.helper {
-            helpers::show(ui, layout, helper, &sheet.inputs, &mut settings.texts, commands);
+            helpers::show(ui, layout, helper, &sheet.inputs, settings, commands);
         }
     }
 
@@ -102,7 +102,7 @@ impl Calculator {
                 ui,
                 solution,
                 unit,
-                &mut settings.texts,
+                &mut settings.entries,
                 layout.control_height(),
                 layout.columns(),
                 gap,
