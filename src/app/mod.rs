@@ -11,8 +11,9 @@ mod theme;
 mod widgets;
 
 use crate::core::problem::Field;
+use crate::formats::export::{Exporter as _, Results, Text};
 use crate::formats::inputs::{Inputs, Severity};
-use crate::formats::{geometry, link, number, report};
+use crate::formats::{geometry, link, number};
 use calculator::Calculator;
 use command::{Command, Dialog};
 use egui::accesskit::Role;
@@ -228,7 +229,11 @@ impl App {
                 None => self.say("There is nothing to do again.", None),
             },
             Command::CopyResults => {
-                let text = report::report(&self.sheet.inputs, self.sheet.assessment(), self.settings.result_unit);
+                let text = Text.export(&Results {
+                    inputs: &self.sheet.inputs,
+                    assessment: self.sheet.assessment(),
+                    unit: self.settings.result_unit,
+                });
                 self.platform.copy(ctx, text);
             }
             Command::Fix(key, entry) => {

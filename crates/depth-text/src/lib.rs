@@ -8,6 +8,7 @@
 
 pub mod assess;
 pub mod entry;
+pub mod export;
 pub mod field;
 pub mod fields;
 pub mod geometry;

@@ -1,12 +1,8 @@
-//! The results in words: the table of parameters, the formulas with their numbers, and the text that *Copy Results* puts on
-//! the clipboard.
+//! The results in words: lengths with their uncertainty, the formulas with their numbers, the table of parameters.
 
-use crate::field::Key;
-use crate::inputs::{Assessment, Inputs, Unknown};
-use crate::number::{self, NO_NUMBER, exact, plain, significant};
-use crate::reading;
-use crate::sentences::{Statement, quoted};
-use crate::unit::Unit;
+use crate::inputs::Unknown;
+use crate::number::{self, NO_NUMBER, plain, significant};
+use crate::sentences::Statement;
 use depth_core::agreement::{Agreement, Suspect};
 use depth_core::problem::{Field, Known, Method, Solution};
 use depth_core::quantity::{Length, LengthUnit};
@@ -138,105 +134,6 @@ pub const ESTIMATED_WIDTH_PX: &str = "Estimated object width (pixels)";
 /// Name of w_img·D/fx.
 pub const ESTIMATED_WIDTH_M: &str = "Estimated object width (meters)";
 
-/// The text for the clipboard: inputs as typed, results rounded in `unit` and with every digit.
-pub fn report(inputs: &Inputs, assessment: &Assessment, unit: LengthUnit) -> String {
-    let mut lines = vec!["Depth Calculator".to_owned(), String::new(), "Inputs".to_owned()];
-    for key in Key::form().filter(|key| !key.is_optional || !inputs.entry(*key).is_blank()) {
-        lines.push(format!("  {}: {}", key.name, input(inputs, assessment, key)));
-    }
-    lines.push(String::new());
-    lines.push("Results".to_owned());
-    lines.extend(results(assessment, unit).into_iter().map(|line| format!("  {line}")));
-    for note in &assessment.notes {
-        lines.push(format!("  Note on {}: {}", note.key.name, note.issue));
-    }
-    lines.push(String::new());
-    lines.join("\n")
-}
-
-/// One input as typed, with its σ.
-fn input(inputs: &Inputs, assessment: &Assessment, key: Key) -> String {
-    let entry = inputs.entry(key);
-    let is_used = key.input.is_none_or(|field| assessment.solution.problem.get(field).is_some());
-    let mut value = match assessment.reading(key) {
-        Some(reading) if is_used => reading.text(),
-        None if is_used && key.input.is_some() => {
-            // It was solved for; what is in the field did not count.
-            format!("{} {}", entry.text.trim(), entry.chosen_unit(key).map_or("", Unit::symbol))
-        }
-        _ if entry.is_blank() => "not given".to_owned(),
-        _ => format!("{} (not usable)", quoted(&entry.text)),
-    };
-    let sigma = reading::sigma_text(entry);
-    if inputs.with_uncertainty && !sigma.is_empty() {
-        value.push_str(&format!(" ± {sigma}"));
-    }
-    value
-}
-
-/// The results, a line each: rounded in `unit`, and with every digit.
-fn results(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
-    let solution = &assessment.solution;
-    let mut lines = Vec::new();
-    for method in Method::ALL {
-        let distance = solution.outcome(method).distance();
-        let known = solution.known(method);
-        let value = match (distance, known) {
-            (Some(distance), Some(known)) => with_sigma(distance, known.sigma, unit).text(unit),
-            _ => length(distance, unit),
-        };
-        let mut line = format!("{} distance, {}: {value}", method.name(), formula(solution, method));
-        if let Some(distance) = distance {
-            line.push_str(&format!(" (unrounded {} {})", exact(distance.in_unit(unit)), unit.symbol()));
-        }
-        lines.push(line);
-        if method == Method::Stereo
-            && let Some(range) = one_pixel_around(solution, unit)
-        {
-            lines.push(format!("  with one pixel of disparity more or less: {range}"));
-        }
-        if let Some(known) = known {
-            lines.push(format!("  1 σ interval: {}", interval(known, unit)));
-            lines.push(format!("  variance: {}", budget(known)));
-            if !known.model.first_order_is_good() {
-                lines.push(format!("  {FIRST_ORDER_IS_POOR}"));
-            }
-        }
-    }
-    if let Some(together) = &solution.together {
-        if let Some(combined) = together.combined {
-            let value = with_sigma(Length::from_m(combined.value), Length::from_m(combined.sigma), unit).text(unit);
-            lines.push(format!("Combined distance, the shared focal length accounted for: {value}"));
-        }
-        lines.push(format!("  {}", agreement_sentence(&together.agreement)));
-        lines.extend(
-            together
-                .agreement
-                .suspects
-                .iter()
-                .map(|suspect| format!("  {}", suspect_sentence(suspect))),
-        );
-    }
-    if let Some(width) = solution.estimated_width_px {
-        lines.push(format!(
-            "{ESTIMATED_WIDTH_PX}: {} px (unrounded {} px)",
-            significant(width.px(), DIGITS),
-            exact(width.px())
-        ));
-    }
-    if let Some(width) = solution.estimated_width {
-        lines.push(format!(
-            "{ESTIMATED_WIDTH_M}: {} (unrounded {} m)",
-            length(Some(width), LengthUnit::Metre),
-            exact(width.m())
-        ));
-    }
-    if solution.estimated_width.is_some() || solution.estimated_width_px.is_some() {
-        lines.push(format!("  {}", width_check(solution)));
-    }
-    lines
-}
-
 /// A value and its σ, written to the same decimal.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct WithSigma {
@@ -348,7 +245,7 @@ mod tests {
     use crate::inputs::{Entry, Example};
 
     #[test]
-    fn the_mug_reads_as_in_the_specification() {
+    fn the_formula_of_the_mug_has_its_numbers() {
         let inputs = Example::CoffeeMug.inputs();
         let assessment = inputs.assess();
         assert_eq!(
@@ -359,15 +256,6 @@ mod tests {
             formula_with_numbers(&assessment.solution, Method::Stereo).as_deref(),
             Some("D = 700 px · 0.1 m / 50 px = 1.400 m")
         );
-        let report = report(&inputs, &assessment, LengthUnit::Metre);
-        for line in [
-            "  Camera baseline (b): 10 cm",
-            "  Stereo distance, D = fx · b / d: 1.400 m (unrounded 1.4 m)",
-            "    with one pixel of disparity more or less: 1.373 … 1.429 m",
-            "  Monocular distance, D = w_real · fx / w_img: –.– m",
-        ] {
-            assert!(report.lines().any(|candidate| candidate == line), "{line:?} is not in\n{report}");
-        }
     }
 
     #[test]

@@ -3,6 +3,7 @@
 
 use depth_core::problem::Field;
 use depth_core::quantity::LengthUnit;
+use depth_text::export::{Exporter as _, Results, Text};
 use depth_text::inputs::{Entry, Inputs};
 use depth_text::{number, report};
 use proptest::prelude::*;
@@ -51,7 +52,7 @@ proptest! {
         for note in &assessment.notes {
             prop_assert!(note.message().ends_with(['.', '?']), "{}", note.message());
         }
-        let _ = report::report(&inputs, &assessment, result_unit);
+        let _ = Text.export(&Results { inputs: &inputs, assessment: &assessment, unit: result_unit });
         for field in Field::ALL {
             inputs.step(field, steps);
             inputs.tidy(field);
