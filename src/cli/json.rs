@@ -1,6 +1,6 @@
 //! The answer for a program to read.
 
-use super::calculate::Warning;
+use super::warning::Warning;
 use crate::core::problem::{Method, Solution};
 use crate::core::quantity::{Length, Pixels};
 use serde::Serialize;

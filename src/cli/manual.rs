@@ -1,6 +1,6 @@
 //! The manual page: one for the whole program, because whoever types `man depth-calculator` wants to know its options.
 
-use super::{COMPLETIONS_HELP, Cli, NAME, calculate};
+use super::{COMPLETIONS_HELP, Cli, NAME, options};
 use clap::{Command, CommandFactory};
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, bold, italic, roman};
@@ -24,7 +24,7 @@ pub(super) fn page() -> std::io::Result<String> {
     if let Some(calculate) = root.find_subcommand("calculate") {
         Man::new(calculate.clone()).render_options_section(&mut page)?;
     }
-    sections(calculate::MORE_HELP).to_writer(&mut page)?;
+    sections(options::MORE_HELP).to_writer(&mut page)?;
     sections(&COMPLETIONS_HELP.replace("Examples:", "Completions:")).to_writer(&mut page)?;
     top.render_version_section(&mut page)?;
     Ok(String::from_utf8_lossy(&page).into_owned())

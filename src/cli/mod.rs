@@ -4,12 +4,17 @@ mod calculate;
 mod digits;
 mod json;
 mod manual;
+mod options;
+mod reply;
 mod text;
+mod warning;
 
 use crate::formats::sentences::CommandLine;
-use calculate::Calculate;
+
 use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
+use options::Calculate;
+use reply::Reply;
 use std::ffi::{OsStr, OsString};
 use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
@@ -41,7 +46,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Task {
     /// Compute the distance from a disparity (two cameras), from a known size (one camera), or both
-    #[command(after_long_help = calculate::MORE_HELP)]
+    #[command(after_long_help = options::MORE_HELP)]
     Calculate(Box<Calculate>),
     /// Print the completions of a shell, to be stored where it looks for them
     #[command(after_long_help = COMPLETIONS_HELP)]
@@ -68,23 +73,6 @@ const MAN_HELP: &str = "\
 Examples:
   depth-calculator man > ~/.local/share/man/man1/depth-calculator.1
   depth-calculator man | man -l -";
-
-/// What a call is answered with.
-struct Reply {
-    /// For standard output, line ends included.
-    text: String,
-    /// For standard error, a sentence each.
-    warnings: Vec<String>,
-}
-
-impl Reply {
-    const fn without_warnings(text: String) -> Self {
-        Self {
-            text,
-            warnings: Vec::new(),
-        }
-    }
-}
 
 /// Whether the arguments of the process ask for anything. `--` alone only says that there are none.
 pub fn is_asked() -> bool {

@@ -104,7 +104,7 @@ fn every_field_of_the_form_has_its_options_with_their_help_completion_and_manual
     let text = |arguments: &str| String::from_utf8(run(arguments).stdout).unwrap();
     let (help, completions, manual) = (text("calculate --help"), text("completions bash"), text("man"));
     for key in Key::form() {
-        let option = key.option.unwrap_or_else(|| panic!("{key:?} has no option"));
+        let option = key.option.unwrap();
         let placeholder = key.kind.placeholder();
         for (name, placeholder, line) in [
             (option.name.to_owned(), placeholder.to_owned(), option.help),
@@ -134,7 +134,7 @@ fn every_field_reads_its_units_and_refuses_all_others() {
                     assert_eq!((reading.unit, reading.number), (Some(unit), 3.0), "{key:?} {word}");
                     assert!(close(reading.value, unit.to_base(3.0)), "{key:?} {word}");
                 } else {
-                    let note = read.expect_err(word);
+                    let note = read.unwrap_err();
                     assert!(note.key == key && !note.message().is_empty(), "{key:?} {word}");
                 }
             }

@@ -180,7 +180,7 @@ pub fn assert_complete(variants: &BTreeSet<String>, command_line: &str) {
         CommandLine::UnusedDoffs,
         CommandLine::UnusedSigma { option: "w-real".into() },
     ];
-    assert_eq!(examples.each_ref().map(|example| variant(example)).as_slice(), CommandLine::NAMES);
+    assert_eq!(examples.each_ref().map(variant).as_slice(), CommandLine::NAMES);
     for example in examples {
         assert!(
             command_line.contains(&example.to_string()),

@@ -2,7 +2,7 @@
 
 use crate::field::Key;
 use crate::fields;
-use crate::inputs::Inputs;
+use crate::form::Inputs;
 use crate::note::{Issue, Note, Part, Severity};
 use crate::problem;
 use crate::reading::{self, Reading};

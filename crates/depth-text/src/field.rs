@@ -1,12 +1,10 @@
 //! What a field is ([`FieldSpec`]), and its name everywhere in the program ([`Key`]). The fields themselves are the table
-//! in [`fields`](crate::fields).
+//! in [`fields`](crate::fields); what is looked up in it is in `lookup`.
 
-use crate::fields;
 use crate::unit::Unit;
 use depth_core::problem::Field;
 use depth_core::quantity::LengthUnit;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use std::cmp::Ordering;
+use serde::{Serialize, Serializer};
 use std::hash::{Hash, Hasher};
 use std::ops::Deref;
 
@@ -94,11 +92,6 @@ impl Section {
             Self::Stereo => "Stereo",
             Self::Monocular => "Monocular",
         }
-    }
-
-    /// Its fields, in reading order.
-    pub fn keys(self) -> impl Iterator<Item = Key> {
-        Key::form().filter(move |key| key.section == Some(self))
     }
 }
 
@@ -190,11 +183,6 @@ impl Key {
         Self(spec)
     }
 
-    /// The key that is written `name`, if there is one.
-    pub fn named(name: &str) -> Option<Self> {
-        fields::TABLE.iter().copied().find(|key| key.0.key == name)
-    }
-
     /// The key as it is written in links and in what is stored.
     pub const fn as_str(self) -> &'static str {
         self.0.key
@@ -205,18 +193,9 @@ impl Key {
         self.0
     }
 
-    /// The fields of the form, in reading order.
-    pub fn form() -> impl Iterator<Item = Self> {
-        fields::TABLE.iter().copied().filter(|key| key.0.section.is_some())
-    }
-
     /// Whether the field is a length with a choice of unit.
     pub const fn is_length(self) -> bool {
         matches!(self.0.kind, Kind::Length(_))
-    }
-
-    fn position(self) -> usize {
-        fields::TABLE.iter().position(|&key| key == self).unwrap_or(usize::MAX)
     }
 }
 
@@ -225,19 +204,6 @@ impl Deref for Key {
 
     fn deref(&self) -> &FieldSpec {
         self.0
-    }
-}
-
-impl From<Field> for Key {
-    fn from(field: Field) -> Self {
-        match field {
-            Field::FocalLength => fields::FOCAL_LENGTH,
-            Field::Baseline => fields::BASELINE,
-            Field::Disparity => fields::DISPARITY,
-            Field::Doffs => fields::DOFFS,
-            Field::ImageWidth => fields::IMAGE_WIDTH,
-            Field::RealWidth => fields::REAL_WIDTH,
-        }
     }
 }
 
@@ -261,19 +227,6 @@ impl Hash for Key {
     }
 }
 
-/// In the order of the table, which is that of the form.
-impl Ord for Key {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.position().cmp(&other.position())
-    }
-}
-
-impl PartialOrd for Key {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
 impl std::fmt::Debug for Key {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "Key({})", self.0.key)
@@ -283,12 +236,5 @@ impl std::fmt::Debug for Key {
 impl Serialize for Key {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.0.key)
-    }
-}
-
-impl<'de> Deserialize<'de> for Key {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let name = String::deserialize(deserializer)?;
-        Self::named(&name).ok_or_else(|| serde::de::Error::custom("no such field"))
     }
 }

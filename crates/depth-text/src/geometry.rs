@@ -180,7 +180,7 @@ fn floor(fields: &mut Fields<'_>, solution: &Solution) -> Option<Measured> {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::inputs::Example;
+    use crate::form::Example;
 
     fn doorway(texts: &[(Key, &str)]) -> Geometry {
         let mut entries = Entries::default();

@@ -2,8 +2,10 @@
 //!
 //! A link sets only what it names, and what it sets is text, checked like typing.
 
+use crate::assess::Assessment;
+use crate::entry::Entry;
 use crate::field::{Key, Kind};
-use crate::inputs::{Assessment, Entry, Inputs};
+use crate::form::Inputs;
 use crate::unit::Unit;
 
 /// The longest text a link may put into a field; longer ones are cut. Nobody types more.
@@ -89,7 +91,7 @@ fn hex(digit: u8) -> Option<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::inputs::Example;
+    use crate::form::Example;
     use depth_core::problem::{Field, Outcome};
     use depth_core::quantity::{Length, LengthUnit};
 

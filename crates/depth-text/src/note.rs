@@ -3,8 +3,8 @@
 
 use crate::entry::Entry;
 use crate::field::Key;
-use crate::sentences::variants;
 use crate::unit::Unit;
+use crate::variants::variants;
 use depth_core::disparity::NoDisparity;
 use depth_core::problem::Method;
 use depth_core::q_matrix::Expected;

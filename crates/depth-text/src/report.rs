@@ -1,6 +1,6 @@
 //! The results in words: lengths with their uncertainty, the formulas with their numbers, the table of parameters.
 
-use crate::inputs::Unknown;
+use crate::assess::Unknown;
 use crate::number::{self, NO_NUMBER, plain, significant};
 use crate::sentences::Statement;
 use depth_core::agreement::{Agreement, Suspect};
@@ -242,7 +242,8 @@ pub fn suspect_sentence(suspect: &Suspect) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::inputs::{Entry, Example};
+    use crate::entry::Entry;
+    use crate::form::Example;
 
     #[test]
     fn the_formula_of_the_mug_has_its_numbers() {

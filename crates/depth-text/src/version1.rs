@@ -2,7 +2,7 @@
 
 use crate::entry::{Entries, Entry};
 use crate::fields;
-use crate::inputs::Inputs;
+use crate::form::Inputs;
 use crate::ways::{DISPARITIES, FOCAL_LENGTHS, Way};
 use depth_core::problem::{Field, Method};
 use serde::Deserialize;

@@ -1,8 +1,9 @@
 //! The text that *Copy Results* puts on the clipboard.
 
-use super::{Exporter, Results};
+use super::exporter::{Exporter, Results};
+use crate::assess::Assessment;
 use crate::field::Key;
-use crate::inputs::{Assessment, Inputs};
+use crate::form::Inputs;
 use crate::number::{exact, significant};
 use crate::reading;
 use crate::report::{
@@ -118,7 +119,7 @@ fn widths(solution: &Solution) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::inputs::Example;
+    use crate::form::Example;
 
     #[test]
     fn the_mug_reads_as_in_the_specification() {

@@ -1,6 +1,6 @@
 //! What only the command line says.
 
-use super::variants;
+use crate::variants::variants;
 use std::fmt::{self, Display, Formatter};
 
 variants! {

@@ -1,6 +1,6 @@
 //! What is wrong with what was typed.
 
-use super::{capital, quoted};
+use super::words::{capital, quoted};
 use crate::field::{Key, Kind};
 use crate::fields;
 use crate::note::Issue;

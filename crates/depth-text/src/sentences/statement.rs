@@ -1,8 +1,9 @@
 //! What follows from the numbers: whether two distances agree, what to look at if not, and how good a description is.
 
-use super::{capital, variants};
+use super::words::capital;
 use crate::field::Key;
 use crate::number::{plain, significant};
+use crate::variants::variants;
 use depth_core::agreement::{Agreement, Suspect, Verdict};
 use depth_core::problem::{Method, Solution};
 use depth_core::quantity::LengthUnit;
