@@ -58,12 +58,12 @@ fn filled(sigma: &str) -> String {
     for field in Field::ALL {
         inputs.set_sigma(field, sigma);
     }
-    let texts = json!({
-        "Principal point cx": "640", "Principal point cy": "360", "Column of the pixel (u)": "900", "Row of the pixel (v)": "500",
-        "Tilt of the target": "20", "Height of the camera": "1.5", "Pitch of the camera, downwards": "10", "Row of the point on the floor": "620",
+    let entries = json!({
+        "cx": { "text": "640" }, "cy": { "text": "360" }, "u": { "text": "900" }, "v": { "text": "500" }, "tilt": { "text": "20" },
+        "camera-height": { "text": "1.5" }, "camera-pitch": { "text": "10" }, "floor-row": { "text": "620" },
     });
     json!({
-        "version": 1, "inputs": inputs, "result_unit": "m", "theme": "light", "screen": "calculator", "shows_geometry": true, "texts": texts,
+        "version": 2, "inputs": inputs, "result_unit": "m", "theme": "light", "screen": "calculator", "shows_geometry": true, "entries": entries,
     })
     .to_string()
 }

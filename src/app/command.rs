@@ -3,8 +3,8 @@
 
 use super::calculator::helpers::Helper;
 use super::saved::Screen;
-use crate::core::problem::Field;
 use crate::core::quantity::{LengthUnit, Pixels};
+use crate::formats::field::Key;
 use crate::formats::inputs::{Entry, Inputs};
 use egui::ThemePreference;
 
@@ -35,7 +35,7 @@ pub enum Command {
     /// Fill in what the part of a link behind `#` names, and nothing else.
     Follow(String),
     /// Replace what was typed into a field by what a note offered.
-    Fix(Field, Entry),
+    Fix(Key, Entry),
     /// The pointer moved the point on the curve to this disparity, px; all moves until [`Command::Settle`] are one undo step.
     DragDisparity(f64),
     /// An edit is complete: a drag ended, a field was left.

@@ -11,8 +11,9 @@ mod theme;
 mod widgets;
 
 use crate::core::problem::Field;
+use crate::formats::export::{Exporter as _, Results, Text};
 use crate::formats::inputs::{Inputs, Severity};
-use crate::formats::{link, number, report};
+use crate::formats::{geometry, link, number};
 use calculator::Calculator;
 use command::{Command, Dialog};
 use egui::accesskit::Role;
@@ -228,19 +229,23 @@ impl App {
                 None => self.say("There is nothing to do again.", None),
             },
             Command::CopyResults => {
-                let text = report::report(&self.sheet.inputs, self.sheet.assessment(), self.settings.result_unit);
+                let text = Text.export(&Results {
+                    inputs: &self.sheet.inputs,
+                    assessment: self.sheet.assessment(),
+                    unit: self.settings.result_unit,
+                });
                 self.platform.copy(ctx, text);
             }
-            Command::Fix(field, entry) => {
-                *self.sheet.inputs.entry_mut(field) = entry;
-                self.sheet.inputs.tidy(field);
+            Command::Fix(key, entry) => {
+                self.sheet.inputs.fill(key, entry);
+                self.sheet.inputs.tidy(key);
                 self.calculator.helper = None;
-                ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(field)));
+                ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(key)));
             }
             Command::DragDisparity(disparity) => self.sheet.inputs.entry_mut(Field::Disparity).text = number::plain(disparity),
             Command::ShowDialog(dialog) => self.dialog = dialog,
             Command::Help(helper) => self.calculator.helper = helper,
-            Command::PrincipalPoint(cx, cy) => calculator::geometry::set_principal_point(&mut self.settings.texts, cx, cy),
+            Command::PrincipalPoint(cx, cy) => geometry::set_principal_point(&mut self.settings.entries, cx, cy),
             Command::ShowGeometry(shown) => self.settings.shows_geometry = shown,
             Command::Show(screen) => self.settings.screen = screen,
             Command::ShowResultsIn(unit) => self.settings.result_unit = unit,
@@ -261,11 +266,11 @@ impl App {
             .notes
             .iter()
             .filter(|note| note.severity == Severity::Error)
-            .map(|note| note.field);
+            .map(|note| note.key);
         let missing = self.sheet.inputs.missing();
-        let first = errors.chain(missing.iter().map(|note| note.field)).min();
+        let first = errors.chain(missing.iter().map(|note| note.key)).min();
         match first {
-            Some(field) => ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(field))),
+            Some(key) => ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(key))),
             None => self.calculator.reveal_results = Layout::of_width(ctx.content_rect().width()) == Layout::Phone,
         }
     }

@@ -1,7 +1,9 @@
 //! What survives a reload and a restart.
 
 use crate::core::quantity::LengthUnit;
+use crate::formats::entry::Entries;
 use crate::formats::inputs::Inputs;
+use crate::formats::version1;
 use egui::ThemePreference;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -41,21 +43,24 @@ pub struct Settings {
     pub screen: Screen,
     /// Whether range, tilt and ground plane are shown.
     pub shows_geometry: bool,
-    /// What was typed into helpers and into range, tilt and ground plane, by name.
-    pub texts: Texts,
+    /// What was typed into helpers and into range, tilt and ground plane.
+    pub entries: Entries,
+    /// The way chosen in each helper.
+    pub ways: Ways,
 }
 
-/// Texts by the name of the field that they were typed into.
-pub type Texts = BTreeMap<String, String>;
+/// The key of the chosen way, by that of the helper.
+pub type Ways = BTreeMap<String, String>;
 
 impl Default for Settings {
     fn default() -> Self {
         Self {
-            result_unit: LengthUnit::Metre,
+            result_unit: LengthUnit::Meter,
             theme: ThemePreference::System,
             screen: Screen::Calculator,
             shows_geometry: false,
-            texts: Texts::new(),
+            entries: Entries::default(),
+            ways: Ways::new(),
         }
     }
 }
@@ -69,8 +74,14 @@ pub struct Saved {
     pub settings: Settings,
 }
 
-/// The version of the stored text. A text of another version is not read.
-const VERSION: u32 = 1;
+/// The version of the stored text. Version 1 is still read, a text of any other is not.
+const VERSION: u32 = 2;
+
+/// What says how to read the rest.
+#[derive(Deserialize)]
+struct StoredVersion {
+    version: u32,
+}
 
 /// The stored text. Strict on purpose: a text that only half fits is not what was stored.
 #[derive(Serialize, Deserialize)]
@@ -84,7 +95,39 @@ struct Stored {
     #[serde(default)]
     shows_geometry: bool,
     #[serde(default)]
-    texts: Texts,
+    entries: Entries,
+    #[serde(default)]
+    ways: Ways,
+}
+
+/// The stored text of version 1, which kept texts by the English labels of their fields.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StoredVersion1 {
+    version: u32,
+    inputs: version1::StoredInputs,
+    result_unit: LengthUnit,
+    theme: StoredTheme,
+    screen: Screen,
+    #[serde(default)]
+    shows_geometry: bool,
+    #[serde(default)]
+    texts: BTreeMap<String, String>,
+}
+
+impl From<StoredVersion1> for Stored {
+    fn from(stored: StoredVersion1) -> Self {
+        Self {
+            version: stored.version,
+            inputs: stored.inputs.into(),
+            result_unit: stored.result_unit,
+            theme: stored.theme,
+            screen: stored.screen,
+            shows_geometry: stored.shows_geometry,
+            ways: version1::ways(&stored.texts),
+            entries: version1::entries(stored.texts),
+        }
+    }
 }
 
 #[derive(Clone, Copy, Serialize, Deserialize)]
@@ -112,15 +155,28 @@ impl Saved {
             },
             screen: self.settings.screen,
             shows_geometry: self.settings.shows_geometry,
-            texts: self.settings.texts.clone(),
+            entries: self.settings.entries.clone(),
+            ways: self.settings.ways.clone(),
         })
         .map_err(|error| error.to_string())
     }
 
     /// What was stored as `text`; `None` where it is corrupt or of another version.
     pub fn from_text(text: &str) -> Option<Self> {
-        let stored: Stored = serde_json::from_str(text).ok()?;
-        (stored.version == VERSION).then_some(Self {
+        let StoredVersion { version } = serde_json::from_str(text).ok()?;
+        match version {
+            1 => serde_json::from_str::<StoredVersion1>(text)
+                .ok()
+                .map(|stored| Stored::from(stored).into()),
+            VERSION => serde_json::from_str::<Stored>(text).ok().map(Self::from),
+            _ => None,
+        }
+    }
+}
+
+impl From<Stored> for Saved {
+    fn from(stored: Stored) -> Self {
+        Self {
             inputs: stored.inputs,
             settings: Settings {
                 result_unit: stored.result_unit,
@@ -131,9 +187,10 @@ impl Saved {
                 },
                 screen: stored.screen,
                 shows_geometry: stored.shows_geometry,
-                texts: stored.texts,
+                entries: stored.entries,
+                ways: stored.ways,
             },
-        })
+        }
     }
 }
 
@@ -141,7 +198,18 @@ impl Saved {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::formats::inputs::Example;
+    use crate::formats::field::Key;
+    use crate::formats::fields;
+    use crate::formats::inputs::{Entry, Example};
+
+    fn entries(typed: &[(Key, &str, &str)]) -> Entries {
+        let mut entries = Entries::default();
+        for &(key, text, sigma) in typed {
+            entries.entry_mut(key).text = text.into();
+            entries.entry_mut(key).sigma = sigma.into();
+        }
+        entries
+    }
 
     #[test]
     fn what_is_stored_comes_back() {
@@ -152,10 +220,52 @@ mod tests {
                 theme: ThemePreference::Dark,
                 screen: Screen::Learn,
                 shows_geometry: true,
-                texts: Texts::from([("lens".into(), "4".into())]),
+                entries: entries(&[(fields::LENS, "4", "")]),
+                ways: Ways::from([("d".into(), "kitti".into())]),
             },
         };
         assert_eq!(Saved::from_text(&saved.to_text().unwrap()), Some(saved));
+    }
+
+    /// As the program wrote it when its fields had no keys.
+    const VERSION_1: &str = r#"{"version":1,"inputs":{"focal_length":{"text":"700"},"baseline":{"text":"10","unit":"cm"},"disparity":{"text":""},"doffs":{"text":""},"image_width":{"text":"150"},"real_width":{"text":"","unit":"m"},"sigmas":{"FocalLength":"2","Baseline":"0.5 %"},"with_uncertainty":true,"unknown":["Stereo","Disparity"],"distance":{"text":"1.4","unit":"ft"},"distance_sigma":"1 %"},"result_unit":"in","theme":"dark","screen":"learn","shows_geometry":true,"texts":{"Principal point cx":"640","Pitch of the camera, downwards":"10","σ of Pitch of the camera, downwards":"0,5","Focal length of the lens":"4","Q matrix":"1 0 0","way: FocalLength":"Lens and sensor width","way: Disparity":"KITTI, 16-bit image","Of nothing known":"7"}}"#;
+
+    #[test]
+    fn what_version_1_stored_is_read() {
+        use crate::core::problem::{Field, Method};
+        let saved = Saved::from_text(VERSION_1).unwrap();
+        let sigma = |entry: Entry, sigma: &str| Entry {
+            sigma: sigma.into(),
+            ..entry
+        };
+        for (key, entry) in [
+            (fields::FOCAL_LENGTH, sigma(Entry::new("700", None), "2")),
+            (fields::BASELINE, sigma(Entry::new("10", Some(LengthUnit::Centimeter)), "0.5 %")),
+            (fields::DISPARITY, Entry::new("", None)),
+            (fields::IMAGE_WIDTH, Entry::new("150", None)),
+            (fields::DISTANCE, sigma(Entry::new("1.4", Some(LengthUnit::Foot)), "1 %")),
+        ] {
+            assert_eq!(saved.inputs.entry(key), &entry, "{key:?}");
+        }
+        assert!(saved.inputs.with_uncertainty);
+        assert_eq!(saved.inputs.unknown, Some((Method::Stereo, Field::Disparity)));
+        assert_eq!(
+            (saved.settings.result_unit, saved.settings.theme, saved.settings.screen),
+            (LengthUnit::Inch, ThemePreference::Dark, Screen::Learn)
+        );
+        let typed = [
+            (fields::CX, "640", ""),
+            (fields::CAMERA_PITCH, "10", "0,5"),
+            (fields::LENS, "4", ""),
+            (fields::Q_MATRIX, "1 0 0", ""),
+        ];
+        assert_eq!(saved.settings.entries, entries(&typed));
+        let ways = [("d".to_owned(), "kitti".to_owned()), ("fx".to_owned(), "sensor-width".to_owned())];
+        assert_eq!(saved.settings.ways, Ways::from(ways));
+        // From now on it is stored as every other text.
+        let text = saved.to_text().unwrap();
+        assert!(text.starts_with("{\"version\":2,"), "{text}");
+        assert_eq!(Saved::from_text(&text), Some(saved));
     }
 
     #[test]
@@ -167,7 +277,9 @@ mod tests {
             "{}",
             "[1,2",
             "\u{0}",
-            &good.replace("\"version\":1", "\"version\":0"),
+            &good.replace("\"version\":2", "\"version\":0"),
+            &good.replace("\"version\":2", "\"version\":3"),
+            &VERSION_1.replace("\"in\"", "\"parsec\""),
             &good.replace("\"m\"", "\"parsec\""),
         ] {
             assert_eq!(Saved::from_text(bad), None, "{bad}");

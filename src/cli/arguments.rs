@@ -1,6 +1,6 @@
 //! What can be typed: commands, their arguments and their help.
 
-use super::calculate::{self, Calculate};
+use super::options::{self, Calculate};
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
 
@@ -29,7 +29,7 @@ pub(super) struct Cli {
 #[derive(Debug, Subcommand)]
 pub(super) enum Task {
     /// Compute the distance from a disparity (two cameras), from a known size (one camera), or both
-    #[command(after_long_help = calculate::MORE_HELP)]
+    #[command(after_long_help = options::MORE_HELP)]
     Calculate(Box<Calculate>),
     /// Print the completions of a shell, to be stored where it looks for them
     #[command(after_long_help = COMPLETIONS_HELP)]

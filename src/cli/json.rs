@@ -1,6 +1,6 @@
 //! The answer for a program to read.
 
-use super::reply::Warning;
+use super::warning::Warning;
 use crate::core::problem::{Method, Solution};
 use crate::core::quantity::{Length, Pixels};
 use serde::Serialize;
@@ -44,7 +44,7 @@ pub(super) fn answer(solution: &Solution, warnings: &[Warning]) -> Result<String
             far_m: known.and_then(|known| known.interval.far).map(Length::m),
         })
     };
-    let combined = solution.comparison.as_ref().and_then(|together| together.combined);
+    let combined = solution.comparison.and_then(|comparison| comparison.combined);
     let answer = Answer {
         stereo: distance(Method::Stereo),
         monocular: distance(Method::Monocular),

@@ -1,7 +1,7 @@
 //! The manual page: one for the whole program, because whoever types `man depth-calculator` wants to know its options.
 
 use super::arguments::{COMPLETIONS_HELP, Cli, NAME};
-use super::calculate;
+use super::options;
 use clap::{Command, CommandFactory};
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, bold, italic, roman};
@@ -33,7 +33,7 @@ pub(super) fn page() -> std::io::Result<String> {
     if let Some(calculate) = root.find_subcommand("calculate") {
         Man::new(calculate.clone()).render_options_section(&mut page)?;
     }
-    sections(calculate::MORE_HELP).to_writer(&mut page)?;
+    sections(options::MORE_HELP).to_writer(&mut page)?;
     sections(&COMPLETIONS_HELP.replace("Examples:", "Completions:")).to_writer(&mut page)?;
     top.render_version_section(&mut page)?;
     let page = String::from_utf8_lossy(&page);

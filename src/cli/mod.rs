@@ -6,14 +6,18 @@ mod completions;
 mod digits;
 mod json;
 mod manual;
+mod options;
 mod parse;
 mod reply;
 mod text;
+mod warning;
+
+use crate::formats::sentences::CommandLine;
 
 use arguments::{Cli, NAME, Task};
 use clap::CommandFactory;
 use parse::Call;
-use reply::{Refusal, Reply};
+use reply::Reply;
 use std::ffi::OsString;
 use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
@@ -31,13 +35,12 @@ pub fn main() -> ExitCode {
     run(std::env::args_os(), &mut std::io::stdout().lock(), &mut std::io::stderr().lock())
 }
 
-/// Answers `arguments` (the program's name first) on `out`, or says on `err` in one line why not: with `--json` as an object.
+/// Answers `arguments` (the program's name first) on `out`, or says on `err` in one line why not.
 ///
 /// Status 0 with an answer, also when one method is complete and the other is not; 2 without one; 1 where `out` could not
 /// be written.
 pub fn run(arguments: impl IntoIterator<Item = OsString>, out: &mut dyn Write, err: &mut dyn Write) -> ExitCode {
     let arguments = parse::join_negative_values(arguments);
-    let in_json = parse::asks_for_json(&arguments);
     let reply = match parse::parse(&arguments) {
         Ok(Call::Task(task)) => answer(&task),
         Ok(Call::Text(text)) => Ok(Reply::without_warnings(text)),
@@ -48,53 +51,48 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, out: &mut dyn Write, e
         Ok(reply) => {
             let status = match write(&reply.text, out) {
                 Ok(()) => ExitCode::SUCCESS,
-                Err(refusal) => say(&refusal, in_json, err, ExitCode::FAILURE),
+                Err(refusal) => say(&refusal, err, ExitCode::FAILURE),
             };
             for warning in reply.warnings {
                 let _ = writeln!(err, "{NAME}: warning: {warning}");
             }
             status
         }
-        Err(refusal) => say(&refusal, in_json, err, ExitCode::from(REFUSED)),
+        Err(refusal) => say(&refusal, err, ExitCode::from(REFUSED)),
     }
 }
 
 /// Says why there is no answer. Returns `status`.
-fn say(refusal: &Refusal, in_json: bool, err: &mut dyn Write, status: ExitCode) -> ExitCode {
+fn say(refusal: &str, err: &mut dyn Write, status: ExitCode) -> ExitCode {
     // What cannot be said on standard error can be said nowhere.
-    let _ = if in_json {
-        writeln!(err, "{}", refusal.json())
-    } else {
-        writeln!(err, "{NAME}: {}", refusal.line)
-    };
+    let _ = writeln!(err, "{NAME}: {}", refusal.replace('\n', " "));
     status
 }
 
-fn answer(task: &Task) -> Result<Reply, Refusal> {
+fn answer(task: &Task) -> Result<Reply, String> {
     match task {
         Task::Calculate(calculate) => calculate.reply(),
         Task::Completions { shell } => Ok(Reply::without_warnings(completions::script(*shell))),
         Task::Man => {
-            let page = manual::page().map_err(|error| Refusal::sentence(None, error.to_string()));
+            let page = manual::page().map_err(|error| error.to_string());
             page.map(Reply::without_warnings)
         }
     }
 }
 
 /// Prints the help, and returns why that is no answer.
-fn nothing_asked(err: &mut dyn Write) -> Refusal {
+fn nothing_asked(err: &mut dyn Write) -> String {
     let _ = writeln!(err, "{}", Cli::command().render_help());
-    let sentence = "Without a window a command is needed, such as: depth-calculator calculate --fx 700 --baseline 100mm --disparity 50";
-    Refusal::sentence(None, sentence)
+    CommandLine::NoCommand.to_string()
 }
 
 /// Writes `text` to the end. A reader that went away (a closed pipe) wanted no more; nothing is wrong then.
-fn write(text: &str, out: &mut dyn Write) -> Result<(), Refusal> {
+fn write(text: &str, out: &mut dyn Write) -> Result<(), String> {
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             let reason = error.to_string();
-            let reason = reason.split(" (os error").next().unwrap_or_default();
-            Err(Refusal::sentence(None, format!("The answer could not be written: {reason}.")))
+            let reason = reason.split(" (os error").next().unwrap_or_default().to_owned();
+            Err(CommandLine::NotWritten { reason }.to_string())
         }
         _ => Ok(()),
     }

@@ -1,8 +1,7 @@
 //! Parses the arguments of a call, and puts what clap says about them into one line.
 
 use super::arguments::{Cli, Task};
-use super::reply::Refusal;
-use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser};
 use std::ffi::{OsStr, OsString};
 
@@ -16,19 +15,13 @@ pub(super) enum Call {
 }
 
 /// Parses `arguments`, of which the first is the program's name.
-pub(super) fn parse(arguments: &[OsString]) -> Result<Call, Refusal> {
+pub(super) fn parse(arguments: &[OsString]) -> Result<Call, String> {
     match Cli::try_parse_from(arguments) {
         Ok(Cli { command: Some(task) }) => Ok(Call::Task(task)),
         Ok(Cli { command: None }) => Ok(Call::Nothing),
-        Err(error) if error.use_stderr() => Err(Refusal::sentence(option(&error), in_one_line(&error))),
+        Err(error) if error.use_stderr() => Err(in_one_line(&error)),
         Err(help_or_version) => Ok(Call::Text(help_or_version.render().to_string())),
     }
-}
-
-/// Whether the answer is for a program, even where the arguments cannot be parsed.
-pub(super) fn asks_for_json(arguments: &[OsString]) -> bool {
-    let options = arguments.iter().skip(1).take_while(|argument| *argument != "--");
-    options.into_iter().any(|argument| argument == "--json")
 }
 
 /// Joins a value that starts with a minus sign to its option: `--doffs -2.5px` becomes `--doffs=-2.5px`.
@@ -87,17 +80,6 @@ fn in_one_line(error: &clap::Error) -> String {
         line.extend(["; the commands are ", &commands.join(", ")]);
     }
     line + " (see --help)"
-}
-
-/// The option that clap complains about, without its dashes.
-fn option(error: &clap::Error) -> Option<String> {
-    match error.get(ContextKind::InvalidArg)? {
-        ContextValue::String(argument) => {
-            let option = argument.strip_prefix("--")?;
-            option.split([' ', '=']).next().map(str::to_owned)
-        }
-        _ => None,
-    }
 }
 
 #[cfg(test)]

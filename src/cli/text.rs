@@ -4,8 +4,9 @@ use super::digits::{in_sentence, plain, rounded, significant};
 use crate::core::agreement::Verdict;
 use crate::core::problem::{Field, Method, Solution, Uncertainty};
 use crate::core::quantity::{Length, LengthUnit};
-use crate::formats::inputs::Assessment;
+use crate::formats::assess::Assessment;
 use crate::formats::report;
+use crate::formats::sentences::Statement;
 
 /// Significant digits of a number without σ.
 const DIGITS: u8 = 4;
@@ -13,9 +14,6 @@ const DIGITS: u8 = 4;
 const TYPED_DIGITS: u8 = 12;
 /// Of a length that may have been typed in another unit: 120 mm are 4.7244094 in.
 const CONVERTED_DIGITS: u8 = 8;
-
-const FIRST_ORDER_IS_POOR: &str =
-    "The pixels are known to worse than 10 %: plus or minus σ is a poor description here, the interval is right.";
 
 /// The answer with its lengths in `unit`, a line each.
 pub(super) fn answer(assessment: &Assessment, unit: LengthUnit) -> String {
@@ -25,8 +23,8 @@ pub(super) fn answer(assessment: &Assessment, unit: LengthUnit) -> String {
     let compatible = solution
         .comparison
         .as_ref()
-        .filter(|together| together.agreement.verdict != Some(Verdict::Disagree));
-    let combined = compatible.and_then(|together| together.combined);
+        .filter(|comparison| comparison.agreement.verdict != Some(Verdict::Disagree));
+    let combined = compatible.and_then(|comparison| comparison.combined);
     if let Some(combined) = combined {
         let value = with_sigma(combined.value, combined.sigma, unit);
         lines.push(format!("{value} (combined, the shared focal length accounted for)"));
@@ -55,7 +53,7 @@ fn of_method(solution: &Solution, method: Method, unit: LengthUnit) -> Option<Ve
         lines.push(format!("  1 σ interval: {}", interval(known, unit)));
         lines.push(format!("  variance: {}", report::budget(known)));
         if !known.model.first_order_is_good() {
-            lines.push(format!("  {FIRST_ORDER_IS_POOR}"));
+            lines.push(format!("  {}", Statement::FirstOrderIsPoor { has_simulation: false }));
         }
     }
     if method == Method::Stereo
@@ -72,12 +70,12 @@ fn of_method(solution: &Solution, method: Method, unit: LengthUnit) -> Option<Ve
 
 /// Whether both methods agree, and what to look at if not.
 fn agreement(assessment: &Assessment) -> Vec<String> {
-    let Some(together) = &assessment.solution.comparison else {
+    let Some(comparison) = &assessment.solution.comparison else {
         return Vec::new();
     };
-    let suspects = assessment.suspects.iter().map(report::suspect_sentence);
-    std::iter::once(report::agreement_sentence(&together.agreement))
-        .chain(suspects)
+    let suspects = assessment.suspects();
+    std::iter::once(Statement::agreement(&comparison.agreement))
+        .chain(suspects.iter().map(Statement::suspect))
         .map(|sentence| format!("  {sentence}"))
         .collect()
 }
@@ -98,7 +96,7 @@ fn widths(solution: &Solution, unit: LengthUnit) -> Vec<String> {
         lines.push(format!("Real width that the width in the image predicts: {}", length(width, unit)));
     }
     if solution.width_discrepancy().is_some() {
-        lines.push(format!("  {}", report::width_check(solution)));
+        lines.push(format!("  {}", Statement::widths(solution)));
     }
     lines
 }

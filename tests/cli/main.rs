@@ -1,6 +1,7 @@
 //! The command line, as a shell sees it: answers, exit status, what is said on stderr.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, missing_docs, reason = "tests")]
 
+mod fields;
 mod json;
 mod options;
 mod shell;
@@ -52,35 +53,18 @@ fn text(arguments: &str) -> (Vec<String>, Vec<String>) {
     (out, err)
 }
 
-/// The one line on stderr of a call that is refused.
-fn refused_line(arguments: &[&str]) -> String {
+fn refused_words(arguments: &[&str]) -> String {
     let output = run_words(arguments);
     let reason = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2), "{arguments:?}: {reason}");
     assert_eq!(reason.trim_end().lines().count(), 1, "{reason}");
-    assert!(output.stdout.is_empty());
-    reason
-}
-
-fn refused_words(arguments: &[&str]) -> String {
-    let reason = refused_line(arguments);
     assert!(reason.starts_with("depth-calculator: "), "{reason}");
+    assert!(output.stdout.is_empty());
     reason
 }
 
 fn refused(arguments: &str) -> String {
     refused_words(&arguments.split_whitespace().collect::<Vec<_>>())
-}
-
-/// The error of a call with `--json` that is refused.
-fn refused_json(arguments: &str) -> Value {
-    let line = refused_line(&arguments.split_whitespace().collect::<Vec<_>>());
-    let mut whole: Value = serde_json::from_str(&line).unwrap();
-    assert_eq!(whole.as_object().unwrap().len(), 1, "{line}");
-    let error = whole["error"].take();
-    let keys: Vec<_> = error.as_object().unwrap().keys().collect();
-    assert_eq!(keys, ["message", "option"], "{line}");
-    error
 }
 
 fn near(value: &Value, expected: f64, tolerance: f64) {

@@ -1,7 +1,6 @@
 //! What is said about an option names the option that was typed.
 
-use super::{MUG, OPTIONS, json, near, refused, refused_json, run_words, text};
-use serde_json::Value;
+use super::{MUG, OPTIONS, json, near, refused, run_words, text};
 
 #[test]
 fn what_cannot_be_answered_is_refused_in_one_line_with_status_2() {
@@ -116,48 +115,12 @@ fn a_value_may_start_with_a_minus_sign_behind_a_blank_as_behind_an_equals_sign()
 fn a_forgotten_value_is_not_the_next_option() {
     for (option, _) in OPTIONS {
         for option in [format!("--{option}"), format!("--sigma-{option}"), "--unit".to_owned()] {
-            for next in ["--fx", "-h"] {
+            for next in ["--json", "--fx", "-h"] {
                 let reason = refused(&format!("calculate {option} {next} 100"));
                 assert!(reason.contains("a value is required for") && reason.contains(&option), "{reason}");
             }
-            let error = refused_json(&format!("calculate {option} --json 100"));
-            assert_eq!(error["option"], option.trim_start_matches('-'));
-            let reason = error["message"].as_str().unwrap();
-            assert!(reason.contains("a value is required for") && reason.contains(&option), "{reason}");
         }
     }
-}
-
-/// The text of a refusal without the program's name, beside the same call with `--json`.
-#[test]
-fn with_json_a_refusal_is_an_object_on_stderr_that_names_the_option() {
-    for (arguments, option) in [
-        ("calculate --fx abc --baseline 100 --disparity 50", Value::from("fx")),
-        (
-            "calculate --fx 700 --baseline 100 --disparity 50 --sigma-fx=-1",
-            Value::from("sigma-fx"),
-        ),
-        ("calculate --fx 700 --baseline 100 --disparity=", Value::from("disparity")),
-        ("calculate --unit km", Value::from("unit")),
-        ("calculate --focal 700", Value::from("focal")),
-        ("calculate --fx 700", Value::Null),
-    ] {
-        let text = refused(arguments);
-        let error = refused_json(&format!("{arguments} --json"));
-        assert_eq!(error["option"], option, "{arguments}");
-        let message = error["message"].as_str().unwrap();
-        let line = text.trim_end().strip_prefix("depth-calculator: ").unwrap();
-        let prefix = format!("--{}: ", option.as_str().unwrap_or_default());
-        assert_eq!(line.strip_prefix(&prefix).unwrap_or(line), message, "{arguments}");
-    }
-    // What stands behind two dashes is no option.
-    assert!(refused("calculate -- --json").contains("--json"));
-}
-
-#[test]
-fn a_command_that_there_is_not_is_refused_with_those_that_there_are() {
-    assert!(refused("frobnicate").contains("the commands are calculate, completions, man (see --help)"));
-    assert!(refused("calculates").contains("the commands are calculate, completions, man (see --help)"));
 }
 
 #[test]
@@ -167,11 +130,17 @@ fn a_refusal_keeps_the_tip_that_helps() {
     assert!(refused("calculate --unit km").contains("[possible values: mm, cm, m, in, ft]"));
     assert!(refused("completions").contains("<SHELL>"));
     assert!(refused("completions tcsh").contains("bash"));
-    let in_json = refused_json("calculate --json")["message"].as_str().unwrap().to_owned();
-    for reason in [refused("calculate"), refused("calculate --"), in_json] {
+    for arguments in ["calculate", "calculate --", "calculate --json"] {
+        let reason = refused(arguments);
         for option in ["--fx, --baseline and --disparity", "--fx, --w-img and --w-real", "see --help"] {
             assert!(reason.contains(option), "{reason}");
         }
     }
     assert!(refused("calculate --fx 7 --w-img 9").contains("Add --w-real for the monocular distance"));
+}
+
+#[test]
+fn a_command_that_there_is_not_is_refused_with_those_that_there_are() {
+    assert!(refused("frobnicate").contains("the commands are calculate, completions, man (see --help)"));
+    assert!(refused("calculates").contains("the commands are calculate, completions, man (see --help)"));
 }

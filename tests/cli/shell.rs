@@ -57,13 +57,11 @@ fn a_full_disk_is_a_sentence_and_status_1() {
         let words: Vec<_> = arguments.split_whitespace().collect();
         let output = super::program(&words).stdout(full).output().unwrap();
         assert_eq!(output.status.code(), Some(1), "{arguments}");
-        let said = String::from_utf8(output.stderr).unwrap();
-        let expected = if arguments.ends_with("--json") {
-            "{\"error\":{\"message\":\"The answer could not be written: No space left on device.\",\"option\":null}}\n"
-        } else {
-            "depth-calculator: The answer could not be written: No space left on device.\n"
-        };
-        assert_eq!(said, expected, "{arguments}");
+        assert_eq!(
+            String::from_utf8(output.stderr).unwrap(),
+            "depth-calculator: The answer could not be written: No space left on device.\n",
+            "{arguments}"
+        );
     }
 }
 
@@ -78,24 +76,9 @@ fn a_reader_that_went_away_is_no_fault() {
     assert!(output.stderr.is_empty());
 }
 
-const SHELLS: [&str; 5] = ["bash", "zsh", "fish", "powershell", "elvish"];
-
-#[test]
-fn completions_are_for_the_shells_that_the_readme_names_and_no_other() {
-    let readme = include_str!("../../README.md").to_lowercase();
-    let line = readme.lines().find(|line| line.contains("completions")).unwrap();
-    let help = String::from_utf8(run("completions --help").stdout).unwrap();
-    let offered = help.split_once("[possible values: ").unwrap().1.split_once(']').unwrap().0;
-    let mut offered: Vec<&str> = offered.split(", ").collect();
-    let mut named: Vec<&str> = SHELLS.into_iter().filter(|shell| line.contains(shell)).collect();
-    offered.sort_unstable();
-    named.sort_unstable();
-    assert_eq!(offered, named);
-}
-
 #[test]
 fn completions_know_every_option() {
-    for shell in SHELLS {
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let output = run(&format!("completions {shell}"));
         assert_eq!(output.status.code(), Some(0), "{shell}");
         let script = String::from_utf8(output.stdout).unwrap();
@@ -164,16 +147,6 @@ fn the_manual_page_is_for_the_whole_program() {
             "{section}"
         );
     }
-    // The date is that of the sources, if whoever has built the program has said it; never the next argument.
-    let title = page.lines().find(|line| line.starts_with(".TH ")).unwrap();
-    let end = format!("\"depth-calculator {}\" \"User Commands\"", env!("CARGO_PKG_VERSION"));
-    let date = title
-        .strip_prefix(".TH depth-calculator 1 ")
-        .unwrap()
-        .strip_suffix(&end)
-        .unwrap()
-        .trim();
-    assert!(date == "\"\"" || date.split('-').map(str::len).eq([4, 2, 2]), "{title}");
     for (option, _) in OPTIONS {
         let option = option.replace('-', "\\-");
         assert!(page.contains(&format!("\\fB\\-\\-{option}\\fR")), "{option}");

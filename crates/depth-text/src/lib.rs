@@ -1,7 +1,30 @@
-//! Text in and out: numbers as people type them, the form as a whole, links, and the report that is copied.
+//! Text in and out: what people type, what it means, and what is said about it.
+//!
+//! ```text
+//! Entry (as typed) -> Reading (parsed once) | Note (a sentence) -> Problem -> Solution -> report, link
+//! ```
+//!
+//! [`fields`] is the table of everything that can be typed, [`sentences`] has everything that is said.
 
+pub mod assess;
+pub mod entry;
+pub mod export;
+pub mod field;
+pub mod fields;
+pub mod form;
+pub mod geometry;
 pub mod inputs;
 pub mod link;
+mod lookup;
+pub mod note;
 pub mod number;
+mod problem;
 pub mod q_matrix;
+pub mod reading;
 pub mod report;
+pub mod sentences;
+mod step;
+pub mod unit;
+mod variants;
+pub mod version1;
+pub mod ways;

@@ -2,19 +2,11 @@
 //!
 //! A link sets only what it names, and what it sets is text, checked like typing.
 
-use crate::inputs::{Entry, Inputs, default_unit};
-use depth_core::problem::Field;
-
-const fn key(field: Field) -> &'static str {
-    match field {
-        Field::FocalLength => "fx",
-        Field::Baseline => "b",
-        Field::Disparity => "d",
-        Field::Doffs => "doffs",
-        Field::ImageWidth => "wimg",
-        Field::RealWidth => "wreal",
-    }
-}
+use crate::assess::Assessment;
+use crate::entry::Entry;
+use crate::field::{Key, Kind};
+use crate::form::Inputs;
+use crate::unit::Unit;
 
 /// The longest text a link may put into a field; longer ones are cut. Nobody types more.
 const LONGEST: usize = 64;
@@ -27,29 +19,37 @@ pub fn apply(fragment: &str, inputs: &mut Inputs) -> bool {
     let mut any = false;
     for pair in fragment.trim_start_matches('#').split('&') {
         let Some((name, value)) = pair.split_once('=') else { continue };
-        let Some(field) = Field::ALL.into_iter().find(|&field| key(field) == name) else {
+        let Some(key) = Key::form().find(|key| key.as_str() == name) else {
             continue;
         };
         let text: String = percent_decoded(value).chars().filter(|c| !c.is_control()).take(LONGEST).collect();
-        *inputs.entry_mut(field) = Entry::new(text, default_unit(field));
-        inputs.tidy(field);
+        inputs.fill(key, Entry::new(text, key.kind.length_unit()));
+        inputs.tidy(key);
         any = true;
     }
     any
 }
 
 /// The part of a link behind the `#` that fills in `inputs` again: `fx=700&b=100mm&d=50`. Empty fields are left out.
-pub fn fragment(inputs: &Inputs) -> String {
+///
+/// A text that cannot be read stands there as it was typed.
+pub fn fragment(inputs: &Inputs, assessment: &Assessment) -> String {
     let mut pairs = Vec::new();
-    for field in Field::ALL {
-        let entry = inputs.entry(field);
+    for key in Key::form() {
+        let entry = inputs.entry(key);
         if entry.is_blank() {
             continue;
         }
-        let typed = super::number::read(&entry.text);
-        let text = typed.map_or(entry.text.trim(), |typed| typed.number_text);
-        let unit = inputs.unit(field).map_or("", |unit| unit.symbol());
-        pairs.push(format!("{}={}{unit}", key(field), percent_encoded(text)));
+        let (text, unit) = match assessment.reading(key) {
+            Some(reading) => (reading.number_text.as_str(), reading.unit.filter(|_| key.kind != Kind::Pixels)),
+            None => (entry.text.trim(), None),
+        };
+        pairs.push(format!(
+            "{}={}{}",
+            key.as_str(),
+            percent_encoded(text),
+            percent_encoded(unit.map_or("", Unit::symbol))
+        ));
     }
     pairs.join("&")
 }
@@ -91,8 +91,8 @@ fn hex(digit: u8) -> Option<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::inputs::Example;
-    use depth_core::problem::Outcome;
+    use crate::form::Example;
+    use depth_core::problem::{Field, Outcome};
     use depth_core::quantity::{Length, LengthUnit};
 
     #[test]
@@ -119,7 +119,7 @@ mod tests {
         let mut inputs = Inputs::default();
         inputs.choose_unit(Field::Baseline, LengthUnit::Foot);
         assert!(apply("b=100", &mut inputs));
-        assert_eq!(inputs.entry(Field::Baseline), &Entry::new("100", Some(LengthUnit::Millimetre)));
+        assert_eq!(inputs.entry(Field::Baseline), &Entry::new("100", Some(LengthUnit::Millimeter)));
     }
 
     #[test]
@@ -128,7 +128,7 @@ mod tests {
             let mut inputs = Example::CoffeeMug.inputs();
             inputs.entry_mut(Field::Disparity).text = text.into();
             let mut back = Inputs::default();
-            assert!(apply(&fragment(&inputs), &mut back));
+            assert!(apply(&fragment(&inputs, &inputs.assess()), &mut back));
             assert_eq!(back, inputs, "{text:?}");
         }
     }

@@ -1,33 +1,26 @@
 //! A Q matrix as people paste it: printed by numpy, cut from OpenCV's YAML or XML, or sixteen numbers.
 
-use depth_core::q_matrix::{self, Expected, StereoGeometry};
+use crate::note::Issue;
+use depth_core::q_matrix::{self, StereoGeometry};
 
 /// Reads the Q matrix in `text`. In a whole calibration file it is the entry named Q.
 ///
 /// # Errors
-/// A sentence that says what is wrong with the text, or which entry of the matrix cannot be one of a Q.
-pub fn read(text: &str) -> Result<StereoGeometry, String> {
+/// What is wrong with the text, or which entry of the matrix cannot be one of a Q.
+pub fn read(text: &str) -> Result<StereoGeometry, Issue> {
     let numbers = numbers(entries(text))?;
     let mut matrix = [[0.0; 4]; 4];
     for (slot, number) in matrix.iter_mut().flatten().zip(&numbers) {
         *slot = *number;
     }
     if numbers.len() != 16 {
-        return Err(format!("A Q matrix has 16 numbers; this text has {}.", numbers.len()));
+        return Err(Issue::QMatrixCount { found: numbers.len() });
     }
-    q_matrix::read(&matrix).map_err(|wrong| {
-        let expected = match wrong.expected {
-            Expected::Exactly(number) => format!("is {number} in a Q matrix"),
-            Expected::Positive => "is the focal length and must be above zero".to_owned(),
-            Expected::NotZero => "is one over the baseline and cannot be zero".to_owned(),
-            Expected::Finite => "must be a finite number".to_owned(),
-        };
-        format!(
-            "This is not a Q matrix of stereoRectify: row {}, column {} {expected}, here it is {}.",
-            wrong.row + 1,
-            wrong.column + 1,
-            super::number::plain(wrong.found)
-        )
+    q_matrix::read(&matrix).map_err(|wrong| Issue::QMatrixEntry {
+        row: wrong.row + 1,
+        column: wrong.column + 1,
+        expected: wrong.expected,
+        found: wrong.found,
     })
 }
 
@@ -49,7 +42,7 @@ fn entries(text: &str) -> &str {
     named.split("dtype").next().unwrap_or(named)
 }
 
-fn numbers(text: &str) -> Result<Vec<f64>, String> {
+fn numbers(text: &str) -> Result<Vec<f64>, Issue> {
     text.split(|c: char| c.is_whitespace() || matches!(c, ',' | ';' | '[' | ']' | '(' | ')' | '{' | '}' | '='))
         .map(|word| word.replace('−', "-"))
         .filter(|word| {
@@ -57,10 +50,7 @@ fn numbers(text: &str) -> Result<Vec<f64>, String> {
         })
         .map(|word| match word.parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(number),
-            _ => Err(format!(
-                "{} is not a number that can stand in a Q matrix.",
-                super::number::quoted(&word)
-            )),
+            _ => Err(Issue::QMatrixNumber { text: word }),
         })
         .collect()
 }
@@ -105,9 +95,14 @@ mod tests {
 
     #[test]
     fn what_is_no_q_matrix_is_refused_in_words() {
-        assert!(read("1 2 3").unwrap_err().contains("16 numbers; this text has 3"));
-        assert!(read("").unwrap_err().contains("has 0"));
-        assert!(read(&"1 ".repeat(16)).unwrap_err().contains("row 1, column 2"));
-        assert!(read("1 0 0 -610 0 1 0 -350 0 0 0 nan 0 0 0.01 0.4").unwrap_err().contains("nan"));
+        assert!(read("1 2 3").unwrap_err().to_string().contains("16 numbers; this text has 3"));
+        assert!(read("").unwrap_err().to_string().contains("has 0"));
+        assert!(read(&"1 ".repeat(16)).unwrap_err().to_string().contains("row 1, column 2"));
+        assert!(
+            read("1 0 0 -610 0 1 0 -350 0 0 0 nan 0 0 0.01 0.4")
+                .unwrap_err()
+                .to_string()
+                .contains("nan")
+        );
     }
 }

@@ -1,9 +1,9 @@
-//! The results in words: the table of parameters, the formulas with their numbers, and the text that *Copy Results* puts on
-//! the clipboard.
+//! The results in words: lengths with their uncertainty, the formulas with their numbers, the table of parameters.
 
-use crate::inputs::{Assessment, Inputs, Unknown, capital};
-use crate::number::{self, NO_NUMBER, exact, plain, significant};
-use depth_core::agreement::{Agreement, Suspect, Verdict};
+use crate::assess::Unknown;
+use crate::number::{self, NO_NUMBER, plain, significant};
+use crate::sentences::Statement;
+use depth_core::agreement::{Agreement, Suspect};
 use depth_core::problem::{Field, Method, Solution, Uncertainty};
 use depth_core::quantity::{Length, LengthUnit};
 
@@ -58,30 +58,13 @@ pub fn formula_with_numbers(solution: &Solution, method: Method) -> Option<Strin
         "D = {} · {} / {divisor} = {}",
         value(first)?,
         value(second)?,
-        length(Some(distance), LengthUnit::Metre)
+        length(Some(distance), LengthUnit::Meter)
     ))
 }
 
 /// How far the entered widths are off what the stereo distance predicts, in a sentence, or what would be needed to know.
 pub fn width_check(solution: &Solution) -> String {
-    match solution.width_discrepancy() {
-        Some(off) if off.abs() < 0.0005 => {
-            "Computed from the stereo distance, as a check: both widths agree with what you entered to within 0.1 %.".to_owned()
-        }
-        Some(off) => format!(
-            "Computed from the stereo distance, as a check. The width you entered in the image is {} % {} than they predict; so is the real width.",
-            significant(off.abs() * 100.0, 2),
-            if off > 0.0 { "larger" } else { "smaller" },
-        ),
-        None if solution.stereo.distance().is_some() => {
-            "Computed from the stereo distance. Enter both widths to check one method against the other.".to_owned()
-        }
-        None if solution.monocular.distance().is_some() => {
-            "Without a stereo distance these only repeat what you entered. Enter a baseline and a disparity to make them a check."
-                .to_owned()
-        }
-        None => "Computed from the stereo distance, as a check on the widths you entered.".to_owned(),
-    }
+    Statement::widths(solution).to_string()
 }
 
 /// One row of the table "Key input parameters and outputs".
@@ -150,96 +133,6 @@ pub fn parameter_rows(solution: &Solution) -> [Row; 9] {
 pub const ESTIMATED_WIDTH_PX: &str = "Estimated object width (pixels)";
 /// Name of w_img·D/fx.
 pub const ESTIMATED_WIDTH_M: &str = "Estimated object width (meters)";
-
-/// The text for the clipboard: inputs as typed, results rounded in `unit` and with every digit.
-pub fn report(inputs: &Inputs, assessment: &Assessment, unit: LengthUnit) -> String {
-    let solution = &assessment.solution;
-    let mut lines = vec!["Depth Calculator".to_owned(), String::new(), "Inputs".to_owned()];
-    for field in Field::ALL {
-        let entry = inputs.entry(field);
-        if field == Field::Doffs && entry.is_blank() {
-            continue;
-        }
-        let mut value = match solution.problem.get(field) {
-            Some(_) => {
-                let number = number::read(&entry.text).map_or(entry.text.trim(), |typed| typed.number_text);
-                format!("{number} {}", inputs.unit(field).map_or("px", LengthUnit::symbol))
-            }
-            None if entry.is_blank() => "not given".to_owned(),
-            None => format!("{} (not usable)", number::quoted(&entry.text)),
-        };
-        let sigma = inputs.sigma(field).trim();
-        if inputs.with_uncertainty && !sigma.is_empty() {
-            value.push_str(&format!(" ± {}", sigma.trim_start_matches('±').trim()));
-        }
-        lines.push(format!("  {}: {value}", field.name()));
-    }
-    lines.push(String::new());
-    lines.push("Results".to_owned());
-    lines.extend(results(assessment, unit).into_iter().map(|line| format!("  {line}")));
-    for note in &assessment.notes {
-        lines.push(format!("  Note on {}: {}", note.field.name(), note.message));
-    }
-    lines.push(String::new());
-    lines.join("\n")
-}
-
-/// The results, a line each: rounded in `unit`, and with every digit.
-fn results(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
-    let solution = &assessment.solution;
-    let mut lines = Vec::new();
-    for method in Method::ALL {
-        let distance = solution.outcome(method).distance();
-        let known = solution.uncertainty(method);
-        let value = match (distance, known) {
-            (Some(distance), Some(known)) => with_sigma(distance, known.sigma, unit).text(unit),
-            _ => length(distance, unit),
-        };
-        let mut line = format!("{} distance, {}: {value}", method.name(), formula(solution, method));
-        if let Some(distance) = distance {
-            line.push_str(&format!(" (unrounded {} {})", exact(distance.in_unit(unit)), unit.symbol()));
-        }
-        lines.push(line);
-        if method == Method::Stereo
-            && let Some(range) = one_pixel_around(solution, unit)
-        {
-            lines.push(format!("  with one pixel of disparity more or less: {range}"));
-        }
-        if let Some(known) = known {
-            lines.push(format!("  1 σ interval: {}", interval(known, unit)));
-            lines.push(format!("  variance: {}", budget(known)));
-            if !known.model.first_order_is_good() {
-                lines.push(format!("  {FIRST_ORDER_IS_POOR}"));
-            }
-        }
-    }
-    if let Some(together) = &solution.comparison {
-        if let Some(combined) = together.combined {
-            let value = with_sigma(combined.value, combined.sigma, unit).text(unit);
-            lines.push(format!("Combined distance, the shared focal length accounted for: {value}"));
-        }
-        lines.push(format!("  {}", agreement_sentence(&together.agreement)));
-        lines.extend(assessment.suspects.iter().map(|suspect| format!("  {}", suspect_sentence(suspect))));
-    }
-    if let Some(width) = solution.estimated_width_px {
-        lines.push(format!(
-            "{ESTIMATED_WIDTH_PX}: {} px (unrounded {} px)",
-            significant(width.px(), DIGITS),
-            exact(width.px())
-        ));
-    }
-    if let Some(width) = solution.estimated_width {
-        lines.push(format!(
-            "{ESTIMATED_WIDTH_M}: {} (unrounded {} m)",
-            length(Some(width), LengthUnit::Metre),
-            exact(width.m())
-        ));
-    }
-    if solution.estimated_width.is_some() || solution.estimated_width_px.is_some() {
-        lines.push(format!("  {}", width_check(solution)));
-    }
-    lines
-}
 
 /// A value and its σ, written to the same decimal.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -318,14 +211,13 @@ pub fn percent(share: f64) -> String {
 }
 
 /// What is said where σ alone would mislead.
-pub const FIRST_ORDER_IS_POOR: &str =
-    "The pixels are known to worse than 10 %: ± σ is a poor description here, the interval and the simulation are right.";
+pub const FIRST_ORDER_IS_POOR: Statement = Statement::FirstOrderIsPoor { has_simulation: true };
 
 /// What was solved for with its uncertainty, in `unit` (`None`: pixels), or what is lacking: "100.0 ± 1.2 mm".
 pub fn unknown(unknown: &Unknown, unit: Option<LengthUnit>) -> String {
     let found = match &unknown.outcome {
         Ok(found) => found,
-        Err(reason) => return reason.clone(),
+        Err(reason) => return reason.to_string(),
     };
     let in_unit = |base: f64| unit.map_or(base, |unit| Length::from_m(base).in_unit(unit));
     let symbol = unit.map_or("px", LengthUnit::symbol);
@@ -339,79 +231,32 @@ pub fn unknown(unknown: &Unknown, unit: Option<LengthUnit>) -> String {
 
 /// Whether both distances agree, in a sentence.
 pub fn agreement_sentence(agreement: &Agreement) -> String {
-    let z = agreement.z.map_or_else(String::new, |z| {
-        // What is left of a difference by rounding is none.
-        let z = if z < 10.0 { format!("{z:.1}") } else { significant(z, 2) };
-        format!(" ({z} σ apart)")
-    });
-    match agreement.verdict {
-        Some(Verdict::Agree) => format!("Stereo and monocular agree within their uncertainties{z}."),
-        Some(Verdict::Doubtful) => format!("Stereo and monocular hardly agree{z}: one case in twenty, if the uncertainties are right."),
-        Some(Verdict::Disagree) => format!("Stereo and monocular disagree{z}: an input or its uncertainty is wrong."),
-        None => match agreement.ratio {
-            Some(ratio) => format!(
-                "Only the shared focal length has an uncertainty, so agreement cannot be judged; stereo is {} times monocular.",
-                significant(ratio, DIGITS)
-            ),
-            None => "Only the shared focal length has an uncertainty, so agreement cannot be judged.".to_owned(),
-        },
-    }
+    Statement::agreement(agreement).to_string()
 }
 
 /// What a suspect is suspected of, in a sentence.
 pub fn suspect_sentence(suspect: &Suspect) -> String {
-    match *suspect {
-        Suspect::RawDisparity { scale } => format!(
-            "Was the disparity divided by {}? {}",
-            plain(scale),
-            if scale == 16.0 {
-                "StereoBM and StereoSGBM store sixteenths of a pixel."
-            } else {
-                "Some files store fixed-point numbers."
-            }
-        ),
-        Suspect::Unit { source, taken, meant } => format!(
-            "Is {} really in {}? In {} the two would agree.",
-            source.noun(),
-            taken.name(),
-            meant.name()
-        ),
-        Suspect::Resized { source, times } => format!(
-            "Was {} counted in an image of another size ({} times) than the focal length belongs to?",
-            source.noun(),
-            plain(times)
-        ),
-        Suspect::NoSigma(field) => format!("{} is taken to be exact. How well is it known?", capital(field.noun())),
-        Suspect::LargestSigma(field) => format!("{} has the largest uncertainty: measure it again.", capital(field.noun())),
-    }
+    Statement::suspect(suspect).to_string()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::inputs::{Entry, Example};
+    use crate::entry::Entry;
+    use crate::form::Example;
 
     #[test]
-    fn the_mug_reads_as_in_the_specification() {
+    fn the_formula_of_the_mug_has_its_numbers() {
         let inputs = Example::CoffeeMug.inputs();
         let assessment = inputs.assess();
         assert_eq!(
-            one_pixel_around(&assessment.solution, LengthUnit::Metre).as_deref(),
+            one_pixel_around(&assessment.solution, LengthUnit::Meter).as_deref(),
             Some("1.373 … 1.429 m")
         );
         assert_eq!(
             formula_with_numbers(&assessment.solution, Method::Stereo).as_deref(),
             Some("D = 700 px · 0.1 m / 50 px = 1.400 m")
         );
-        let report = report(&inputs, &assessment, LengthUnit::Metre);
-        for line in [
-            "  Camera baseline (b): 10 cm",
-            "  Stereo distance, D = fx · b / d: 1.400 m (unrounded 1.4 m)",
-            "    with one pixel of disparity more or less: 1.373 … 1.429 m",
-            "  Monocular distance, D = w_real · fx / w_img: –.– m",
-        ] {
-            assert!(report.lines().any(|candidate| candidate == line), "{line:?} is not in\n{report}");
-        }
     }
 
     #[test]
@@ -425,23 +270,11 @@ mod tests {
     }
 
     #[test]
-    fn distances_that_only_rounding_tells_apart_are_not_apart() {
-        for (z, expected) in [(5e-15, "(0.0 σ apart)"), (1.56, "(1.6 σ apart)"), (12.3, "(12 σ apart)")] {
-            let sentence = agreement_sentence(&Agreement {
-                ratio: Some(1.0),
-                z: Some(z),
-                verdict: Some(Verdict::of(z)),
-            });
-            assert!(sentence.contains(expected), "{sentence}");
-        }
-    }
-
-    #[test]
     fn at_one_pixel_of_disparity_the_far_end_has_no_bound() {
         let mut inputs = Example::CoffeeMug.inputs();
         *inputs.entry_mut(Field::Disparity) = Entry::new("1", None);
         assert_eq!(
-            one_pixel_around(&inputs.assess().solution, LengthUnit::Metre).as_deref(),
+            one_pixel_around(&inputs.assess().solution, LengthUnit::Meter).as_deref(),
             Some("35.00 m … no upper bound")
         );
     }

@@ -30,7 +30,7 @@ pub fn show(
     let height = layout.control_height();
     let missing = if marked { inputs.missing() } else { Vec::new() };
     let around = |field: Field| Around {
-        value_note: assessment.note(field).or_else(|| missing.iter().find(|note| note.field == field)),
+        value_note: assessment.note(field).or_else(|| missing.iter().find(|note| note.key == field)),
         sigma_note: assessment.sigma_note(field),
         helper: Helper::at(field),
         computed: assessment.unknown.as_ref().filter(|unknown| unknown.field == field),
@@ -47,7 +47,7 @@ pub fn show(
                     let mut space = 2.0;
                     for &field in fields {
                         // Most rigs have no offset, and who has none should not have to wonder what it is.
-                        if field == Field::Doffs && !inputs.shows_doffs() {
+                        if !inputs.shows(field) {
                             continue;
                         }
                         ui.add_space(space);

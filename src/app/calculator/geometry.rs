@@ -1,82 +1,46 @@
 //! What else the distance gives: the point in space and the range that a tape measures, a tilted target, and the ground
 //! plane as a third method.
 
-use crate::app::saved::Texts;
 use crate::app::widgets::number_field::{NumberField, Unit};
 use crate::app::widgets::{cards, text};
-use crate::core::angle::Angle;
-use crate::core::camera::{self, GroundView, Intrinsics};
-use crate::core::judge::{Term, Unsolvable};
-use crate::core::measured::Measured;
 use crate::core::problem::Solution;
-use crate::core::quantity::{Length, LengthUnit, Pixels};
-use crate::formats::inputs::Severity;
+use crate::core::quantity::{Length, LengthUnit};
+use crate::formats::entry::{Entries, Entry};
+use crate::formats::field::Key;
+use crate::formats::geometry::Geometry;
+use crate::formats::note::{self, Note};
 use crate::formats::{number, report};
 use egui::Ui;
 
-const DEGREES: &str = "°";
-const CX: &str = "Principal point cx";
-const CY: &str = "Principal point cy";
-const U: &str = "Column of the pixel (u)";
-const V: &str = "Row of the pixel (v)";
-const TILT: &str = "Tilt of the target";
-const HEIGHT: &str = "Height of the camera";
-const PITCH: &str = "Pitch of the camera, downwards";
-const ROW: &str = "Row of the point on the floor";
-
-/// Notes the principal point, as a Q matrix gives it.
-pub fn set_principal_point(texts: &mut Texts, cx: Pixels, cy: Pixels) {
-    texts.insert(CX.to_owned(), number::plain(cx.px()));
-    texts.insert(CY.to_owned(), number::plain(cy.px()));
-}
-
 /// Draws the three cards.
-pub fn show(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, height: f32, columns: usize, gap: f32) {
+pub fn show(ui: &mut Ui, solution: &Solution, unit: LengthUnit, entries: &mut Entries, height: f32, columns: usize, gap: f32) {
+    let geometry = Geometry::assess(entries, solution);
     let parts: [Part; 3] = [range, tilt, ground];
     for (number, row) in parts.chunks(columns).enumerate() {
         let id = egui::Id::unique(("geometry", columns, number));
-        cards::row(ui, row, gap, |ui, part| part(ui, solution, unit, texts, height, id));
+        cards::row(ui, row, gap, |ui, part| part(ui, &geometry, unit, entries, height, id));
     }
 }
 
-type Part = fn(&mut Ui, &Solution, LengthUnit, &mut Texts, f32, egui::Id);
+type Part = fn(&mut Ui, &Geometry, LengthUnit, &mut Entries, f32, egui::Id);
 
-fn range(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, height: f32, row: egui::Id) {
+fn range(ui: &mut Ui, geometry: &Geometry, unit: LengthUnit, entries: &mut Entries, height: f32, row: egui::Id) {
     cards::card(ui, "Depth or range", |ui| {
-        let numbers = [(CX, "640"), (CY, "360"), (U, "900"), (V, "500")].map(|(name, example)| ask(ui, texts, name, example, "px", height));
-        let depth = solution.stereo.distance().or(solution.monocular.distance());
-        let answer = match (solution.problem.focal_length, depth, numbers) {
-            (Some(Measured { value: fx, .. }), Some(depth), [Some(cx), Some(cy), Some(u), Some(v)]) => {
-                let (cx, cy) = (Pixels::new(cx), Pixels::new(cy));
-                let camera = Intrinsics {
-                    fx,
-                    fy: fx,
-                    cx,
-                    cy,
-                    width: fx,
-                    height: fx,
-                };
-                let (u, v) = (Pixels::new(u), Pixels::new(v));
-                camera
-                    .point(u, v, depth)
-                    .zip(camera.range(u, v, depth))
-                    .map(|((x, y), range)| (x, y, depth, range))
-            }
-            _ => None,
-        };
-        if let Some((x, y, z, range)) = answer {
+        ask(ui, entries, &Geometry::POINT, height);
+        if let Some(point) = geometry.point {
             let length = |length: Length| report::length(Some(length), unit);
             super::table::pairs(
                 ui,
                 "Point and range",
                 &[
-                    ("X, to the right", length(x)),
-                    ("Y, down", length(y)),
-                    ("Z, depth along the axis", length(z)),
-                    ("R, range from the lens", length(range)),
+                    ("X, to the right", length(point.x)),
+                    ("Y, down", length(point.y)),
+                    ("Z, depth along the axis", length(point.z)),
+                    ("R, range from the lens", length(point.range)),
                 ],
             );
         }
+        notes(ui, geometry, entries, &Geometry::POINT);
         text::caption(
             ui,
             "The distance of this program is the depth Z along the optical axis. A tape held at the lens measures the range R, which is longer away from the middle of the image.",
@@ -85,26 +49,22 @@ fn range(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, 
     });
 }
 
-fn tilt(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, height: f32, row: egui::Id) {
+fn tilt(ui: &mut Ui, geometry: &Geometry, unit: LengthUnit, entries: &mut Entries, height: f32, row: egui::Id) {
     cards::card(ui, "Tilted target", |ui| {
-        let tilt = ask(ui, texts, TILT, "20", DEGREES, height);
-        if let (Some(tilt), Some(apparent)) = (tilt, solution.monocular.distance()) {
-            match camera::depth_of_tilted_target(apparent, Angle::from_degrees(tilt)) {
-                Some(depth) => {
-                    let share = number::significant((apparent.m() / depth.m() - 1.0) * 100.0, 2);
-                    super::table::pairs(
-                        ui,
-                        "Tilted target",
-                        &[
-                            ("Monocular distance as computed", report::length(Some(apparent), unit)),
-                            ("Corrected for the tilt", report::length(Some(depth), unit)),
-                            ("Too long without it by", format!("{share} %")),
-                        ],
-                    );
-                }
-                None => problem(ui, "A target tilted by 90° or more shows no width. Type an angle below 90°."),
-            }
+        ask(ui, entries, &Geometry::TILTED, height);
+        if let Some((target, solved)) = geometry.tilted {
+            let share = number::significant(solved.excess * 100.0, 2);
+            super::table::pairs(
+                ui,
+                "Tilted target",
+                &[
+                    ("Monocular distance as computed", report::length(Some(target.apparent), unit)),
+                    ("Corrected for the tilt", report::length(Some(solved.depth), unit)),
+                    ("Too long without it by", format!("{share} %")),
+                ],
+            );
         }
+        notes(ui, geometry, entries, &Geometry::TILTED);
         text::caption(
             ui,
             "A target turned away by an angle looks narrower by its cosine, so the monocular method puts it too far away. The distance is that to the plane of the target’s middle, along the optical axis.",
@@ -113,43 +73,18 @@ fn tilt(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, h
     });
 }
 
-fn ground(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, height: f32, row: egui::Id) {
+fn ground(ui: &mut Ui, geometry: &Geometry, unit: LengthUnit, entries: &mut Entries, height: f32, row: egui::Id) {
     cards::card(ui, "Ground plane, a third method", |ui| {
-        let camera_height = ask_measured(ui, texts, HEIGHT, "1.2", "m", height);
-        let pitch = ask_measured(ui, texts, PITCH, "10", DEGREES, height);
-        let point = ask_measured(ui, texts, ROW, "500", "px", height);
-        let cy = ask(ui, texts, CY, "360", "px", height);
-        if let (Some(Measured { value: fx, .. }), Some(camera_height), Some(pitch), Some(row), Some(cy)) =
-            (solution.problem.focal_length, camera_height, pitch, point, cy)
-        {
-            let radians = |degrees: f64| Angle::from_degrees(degrees).radians();
-            let view = GroundView {
-                height: Measured::from_base(camera_height.value, camera_height.sigma),
-                pitch: Measured::from_base(radians(pitch.value), radians(pitch.sigma)),
-                row: Measured::from_base(row.value, row.sigma),
-                fy: fx,
-                cy: Pixels::new(cy),
+        ask(ui, entries, &Geometry::GROUND, height);
+        if let Some(distance) = geometry.floor {
+            let words = if distance.sigma.m() > 0.0 {
+                report::with_sigma(distance.value, distance.sigma, unit).text(unit)
+            } else {
+                report::length(Some(distance.value), unit)
             };
-            match view.distance() {
-                Ok(distance) => {
-                    let words = if distance.sigma.m() > 0.0 {
-                        report::with_sigma(distance.value, distance.sigma, unit).text(unit)
-                    } else {
-                        report::length(Some(distance.value), unit)
-                    };
-                    super::table::pairs(ui, "Ground plane", &[("Distance along the floor", words)]);
-                }
-                Err(Unsolvable::AboveHorizon { .. }) => problem(
-                    ui,
-                    "This row is at the horizon or above it: its ray never meets the floor. Use a lower row.",
-                ),
-                Err(Unsolvable::BelowCamera { .. }) => problem(ui, "This ray goes straight down or backwards. Check pitch and row."),
-                Err(Unsolvable::Value { term: Term::Distance, .. }) => {
-                    problem(ui, "With these numbers there is no distance that a computer can represent.")
-                }
-                Err(_) => problem(ui, "Height and focal length must be above zero, and no uncertainty below it."),
-            }
+            super::table::pairs(ui, "Ground plane", &[("Distance along the floor", words)]);
         }
+        notes(ui, geometry, entries, &Geometry::GROUND);
         text::caption(
             ui,
             "D = h / tan(θ + atan((v − cy) / fy)): where the ray of an image row meets a level floor. fy is taken to be fx. Needs neither a second camera nor a known size.",
@@ -158,52 +93,26 @@ fn ground(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts,
     });
 }
 
-fn problem(ui: &mut Ui, sentence: &str) {
-    text::note(ui, Severity::Error, sentence, None);
-}
-
-fn ask(ui: &mut Ui, texts: &mut Texts, name: &'static str, example: &'static str, unit: &'static str, height: f32) -> Option<f64> {
-    let typed = texts.entry(name.to_owned()).or_default();
-    ui.push_id(name, |ui| {
-        NumberField {
-            name,
-            hint: "",
-            example,
-            unit: Unit::Fixed(unit),
-            signed: unit == DEGREES,
-            sigma: None,
-        }
-        .show(ui, typed, height);
-    });
-    read(typed)
-}
-
-fn ask_measured(
-    ui: &mut Ui,
-    texts: &mut Texts,
-    name: &'static str,
-    example: &'static str,
-    unit: &'static str,
-    height: f32,
-) -> Option<Measured<f64>> {
-    let sigma_name = format!("σ of {name}");
-    let mut sigma = texts.get(&sigma_name).cloned().unwrap_or_default();
-    let typed = texts.entry(name.to_owned()).or_default();
-    NumberField {
-        name,
-        hint: "",
-        example,
-        unit: Unit::Fixed(unit),
-        signed: unit == DEGREES,
-        sigma: Some(&mut sigma),
+/// What is wrong with the fields `keys`. What is not one number is said at its field.
+fn notes(ui: &mut Ui, geometry: &Geometry, entries: &Entries, keys: &[Key]) {
+    let is_said = |said: &Note| said.part == note::Part::Value && number::read(&entries.entry(said.key).text).is_err();
+    for note in geometry.notes.iter().filter(|note| keys.contains(&note.key) && !is_said(note)) {
+        text::note(ui, note.severity, &note.message(), None);
     }
-    .show(ui, typed, height);
-    let value = read(typed);
-    let sigma_value = read(&sigma).unwrap_or(0.0);
-    texts.insert(sigma_name, sigma);
-    value.map(|value| Measured::new(value, sigma_value))
 }
 
-fn read(text: &str) -> Option<f64> {
-    number::read(text).ok().map(|typed| typed.number)
+fn ask(ui: &mut Ui, entries: &mut Entries, keys: &[Key], height: f32) {
+    for &key in keys {
+        let Entry { text, sigma, .. } = entries.entry_mut(key);
+        let unit = key.spec().unit_symbol();
+        let field = NumberField {
+            name: key.spec().name,
+            hint: "",
+            example: key.spec().example(),
+            unit: Unit::Fixed(unit),
+            signed: unit == "°",
+            sigma: key.has_sigma.then_some(sigma),
+        };
+        ui.push_id(key.as_str(), |ui| field.show(ui, text, height));
+    }
 }

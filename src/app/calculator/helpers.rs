@@ -1,22 +1,23 @@
 //! Where numbers come from: a focal length from a lens, a field of view or a photograph; a disparity from what a program
 //! stored; everything from a Q matrix.
 //!
-//! A [`Way`] is a row of a table: what it asks for, what it computes, and which field takes the result.
+//! What the ways ask for and compute is the table in [`ways`].
 
 use crate::app::command::Command;
-use crate::app::saved::Texts;
+use crate::app::saved::{Settings, Ways};
 use crate::app::theme::{self, Layout};
 use crate::app::widgets::number_field::{NumberField, Unit};
 use crate::app::widgets::{scroll, text};
-use crate::core::angle::Angle;
-use crate::core::camera::{self, Intrinsics, SENSOR_FORMATS};
-use crate::core::disparity::{self, Encoding, NoDisparity, SubpixelBits};
-use crate::core::measured::Measured;
+use crate::core::camera::SENSOR_FORMATS;
 use crate::core::problem::Field;
-use crate::core::quantity::{Length, LengthUnit, Pixels};
+use crate::core::quantity::LengthUnit;
+use crate::formats::entry::Entries;
+use crate::formats::fields;
 use crate::formats::inputs::{Entry, Inputs, Severity};
+use crate::formats::note::Issue;
 use crate::formats::number::{self, plain, significant};
 use crate::formats::q_matrix;
+use crate::formats::ways::{self, Way};
 use egui::{Button, ComboBox, Modal, RichText, Stroke, TextEdit, Ui, vec2};
 
 /// A helper.
@@ -45,283 +46,27 @@ impl Helper {
         }
     }
 
-    const fn ways(self) -> &'static [Way] {
+    /// Its name in what is stored.
+    const fn key(self) -> &'static str {
         match self {
-            Self::FocalLength => FOCAL_LENGTH,
-            Self::Disparity => DISPARITY,
+            Self::FocalLength => "fx",
+            Self::Disparity => "d",
         }
     }
-}
 
-/// A number that a way asks for.
-struct Ask {
-    name: &'static str,
-    unit: &'static str,
-    example: &'static str,
-}
-
-/// One way to a number.
-struct Way {
-    name: &'static str,
-    remark: &'static str,
-    asks: &'static [Ask],
-    field: Field,
-    /// The result in px from the numbers asked for, in their order; or what is wrong.
-    compute: fn(&[f64]) -> Result<f64, String>,
-}
-
-const fn ask(name: &'static str, unit: &'static str, example: &'static str) -> Ask {
-    Ask { name, unit, example }
-}
-
-const LENS: Ask = ask("Focal length of the lens", "mm", "4");
-const IMAGE_WIDTH: Ask = ask("Width of the image", "px", "1280");
-const IMAGE_HEIGHT: Ask = ask("Height of the image", "px", "720");
-
-const FOCAL_LENGTH: &[Way] = &[
-    Way {
-        name: "Lens and pixel size",
-        remark: "fx = focal length / pixel pitch. Use the pitch of the image as you have it: twice as large after 2 × 2 binning.",
-        asks: &[LENS, ask("Pixel pitch", "µm", "3")],
-        field: Field::FocalLength,
-        compute: |n| {
-            let [lens, pitch] = *n else { return incomplete() };
-            found(camera::focal_length_from_pixel_pitch(mm(lens), mm(pitch / 1000.0)))
-        },
-    },
-    Way {
-        name: "Lens and sensor width",
-        remark: "fx = focal length · image width / sensor width. An inch figure is a name, not a size: choose the format below.",
-        asks: &[LENS, SENSOR_WIDTH, IMAGE_WIDTH],
-        field: Field::FocalLength,
-        compute: |n| {
-            let [lens, sensor, width] = *n else { return incomplete() };
-            found(camera::focal_length_from_sensor_width(mm(lens), mm(sensor), Pixels::new(width)))
-        },
-    },
-    Way {
-        name: "Horizontal field of view",
-        remark: "fx = (width / 2) / tan(view / 2). A datasheet often gives the view before rectification, which is wider.",
-        asks: &[ask("Horizontal field of view", "°", "69"), IMAGE_WIDTH],
-        field: Field::FocalLength,
-        compute: |n| {
-            let [view, width] = *n else { return incomplete() };
-            found(camera::focal_length_from_field_of_view(
-                Angle::from_degrees(view),
-                Pixels::new(width),
-            ))
-        },
-    },
-    Way {
-        name: "Vertical field of view",
-        remark: "fy = (height / 2) / tan(view / 2); with square pixels fx is the same.",
-        asks: &[ask("Vertical field of view", "°", "42"), IMAGE_HEIGHT],
-        field: Field::FocalLength,
-        compute: |n| {
-            let [view, height] = *n else { return incomplete() };
-            found(camera::focal_length_from_field_of_view(
-                Angle::from_degrees(view),
-                Pixels::new(height),
-            ))
-        },
-    },
-    Way {
-        name: "Diagonal field of view",
-        remark: "fx = ½ · √(width² + height²) / tan(view / 2).",
-        asks: &[ask("Diagonal field of view", "°", "78"), IMAGE_WIDTH, IMAGE_HEIGHT],
-        field: Field::FocalLength,
-        compute: |n| {
-            let [view, width, height] = *n else { return incomplete() };
-            let diagonal = camera::diagonal(Pixels::new(width), Pixels::new(height));
-            found(camera::focal_length_from_field_of_view(Angle::from_degrees(view), diagonal))
-        },
-    },
-    Way {
-        name: "One reference photo",
-        remark: "fx = width in the image · distance / real width, for something of known width at a measured distance, facing the camera.",
-        asks: &[
-            ask("Its width in the image", "px", "150"),
-            ask("Its distance", "m", "1.4"),
-            ask("Its real width", "m", "0.3"),
-        ],
-        field: Field::FocalLength,
-        compute: |n| {
-            let [width, distance, real] = *n else { return incomplete() };
-            found(camera::focal_length_from_reference_photo(
-                Pixels::new(width),
-                Length::from_m(distance),
-                Length::from_m(real),
-            ))
-        },
-    },
-    Way {
-        name: "Same camera, other resolution",
-        remark: "Resizing scales fx and the disparity, never the baseline. Cropping changes neither: enter the width before the crop.",
-        asks: &[
-            ask("Known focal length", "px", "631.3"),
-            ask("Width of the image it belongs to", "px", "1280"),
-            ask("Width after resizing, before any crop", "px", "768"),
-        ],
-        field: Field::FocalLength,
-        compute: |n| {
-            let [focal_length, before, after] = *n else { return incomplete() };
-            // Square pixels and the same scale both ways: only the width matters to fx.
-            let (f, w) = (Pixels::new(focal_length), Pixels::new(before));
-            let camera = Intrinsics {
-                fx: f,
-                fy: f,
-                cx: w,
-                cy: w,
-                width: w,
-                height: w,
-            };
-            found(camera.resized(Pixels::new(after), Pixels::new(after)).map(|camera| camera.fx))
-        },
-    },
-];
-
-const SENSOR_WIDTH: Ask = ask("Width of the sensor", "mm", "4.8");
-
-const RAW: Ask = ask("Stored value", "", "800");
-
-const DISPARITY: &[Way] = &[
-    Way {
-        name: "Columns in both images",
-        remark: "d = x left − x right, in the rectified images.",
-        asks: &[ask("x in the left image", "px", "660"), ask("x in the right image", "px", "610")],
-        field: Field::Disparity,
-        compute: |n| {
-            let [left, right] = *n else { return incomplete() };
-            Ok(
-                disparity::from_columns(Measured::from_base(left, 0.0), Measured::from_base(right, 0.0))
-                    .value
-                    .px(),
-            )
-        },
-    },
-    Way {
-        name: "OpenCV StereoBM or StereoSGBM",
-        remark: "They store sixteenths of a pixel in 16-bit numbers; (minDisparity − 1) · 16 means that nothing was found.",
-        asks: &[RAW, ask("minDisparity", "", "0")],
-        field: Field::Disparity,
-        compute: |n| {
-            let [stored, min_disparity] = *n else { return incomplete() };
-            if min_disparity.fract() != 0.0 || min_disparity.abs() > 30_000.0 {
-                return Err("minDisparity is a whole number, such as 0.".to_owned());
-            }
-            #[expect(clippy::cast_possible_truncation, reason = "checked to be whole and small")]
-            let min_disparity = min_disparity as i32;
-            decoded(Encoding::OpenCv { min_disparity }, stored)
-        },
-    },
-    Way {
-        name: "KITTI, 16-bit image",
-        remark: "It stores 256ths of a pixel; 0 means that there is none.",
-        asks: &[RAW],
-        field: Field::Disparity,
-        compute: |n| {
-            let [stored] = *n else { return incomplete() };
-            decoded(Encoding::Kitti, stored)
-        },
-    },
-    Way {
-        name: "DepthAI, sub-pixel",
-        remark: "With 3, 4 or 5 sub-pixel bits it stores 8ths, 16ths or 32nds of a pixel.",
-        asks: &[RAW, ask("Sub-pixel bits", "", "3")],
-        field: Field::Disparity,
-        compute: |n| {
-            let [stored, bits] = *n else { return incomplete() };
-            let bits = match bits {
-                3.0 => SubpixelBits::Three,
-                4.0 => SubpixelBits::Four,
-                5.0 => SubpixelBits::Five,
-                _ => return Err("DepthAI has 3, 4 or 5 sub-pixel bits.".to_owned()),
-            };
-            decoded(Encoding::DepthAi(bits), stored)
-        },
-    },
-    Way {
-        name: "Fraction of the image width",
-        remark: "Some networks give the disparity as a part of the width of the image.",
-        asks: &[ask("Fraction", "", "0.039"), IMAGE_WIDTH],
-        field: Field::Disparity,
-        compute: |n| {
-            let [fraction, width] = *n else { return incomplete() };
-            decoded(
-                Encoding::FractionOfWidth {
-                    image_width: Pixels::new(width),
-                },
-                fraction,
-            )
-        },
-    },
-    Way {
-        name: "ZED, negative sign",
-        remark: "The ZED SDK gives disparities with the opposite sign.",
-        asks: &[ask("Disparity of the ZED", "px", "−50")],
-        field: Field::Disparity,
-        compute: |n| {
-            let [stored] = *n else { return incomplete() };
-            decoded(Encoding::Zed, stored)
-        },
-    },
-    Way {
-        name: "doffs from both principal points",
-        remark: "doffs = cx right − cx left. Stereo then reads D = fx · b / (d + doffs). Zero for most rectified pairs.",
-        asks: &[
-            ask("cx of the left camera", "px", "610"),
-            ask("cx of the right camera", "px", "650"),
-        ],
-        field: Field::Doffs,
-        compute: |n| {
-            let [left, right] = *n else { return incomplete() };
-            Ok(disparity::doffs(Measured::from_base(left, 0.0), Measured::from_base(right, 0.0))
-                .value
-                .px())
-        },
-    },
-    Way {
-        name: "doffs as a calibration file gives it",
-        remark: "Middlebury's calib.txt has it by this name.",
-        asks: &[ask("doffs", "px", "131.1")],
-        field: Field::Doffs,
-        compute: |n| {
-            let [doffs] = *n else { return incomplete() };
-            Ok(doffs)
-        },
-    },
-];
-
-fn mm(millimetres: f64) -> Length {
-    Length::new(millimetres, LengthUnit::Millimetre)
-}
-
-fn incomplete() -> Result<f64, String> {
-    Err(String::new())
-}
-
-fn found(focal_length: Option<Pixels>) -> Result<f64, String> {
-    focal_length
-        .map(Pixels::px)
-        .ok_or_else(|| "These numbers give no focal length: all must be above zero, and a field of view below 180°.".to_owned())
-}
-
-fn decoded(encoding: Encoding, stored: f64) -> Result<f64, String> {
-    encoding.decode(stored).map(Pixels::px).map_err(|error| {
-        match error {
-            NoDisparity::Invalid => "This value means that the matcher found nothing at this pixel.",
-            NoDisparity::NotWhole => "This encoding stores whole numbers: the value may have been divided already.",
-            NoDisparity::OutOfRange => "This encoding cannot hold such a value.",
+    const fn ways(self) -> &'static [Way] {
+        match self {
+            Self::FocalLength => ways::FOCAL_LENGTHS,
+            Self::Disparity => ways::DISPARITIES,
         }
-        .to_owned()
-    })
+    }
 }
 
 /// The choice of Q matrix stands beside the ways to a focal length.
 const Q_MATRIX: &str = "A Q matrix of stereoRectify";
 
 /// Draws the helper over the screen.
-pub fn show(ui: &Ui, layout: Layout, helper: Helper, inputs: &Inputs, texts: &mut Texts, commands: &mut Vec<Command>) {
+pub fn show(ui: &Ui, layout: Layout, helper: Helper, inputs: &Inputs, settings: &mut Settings, commands: &mut Vec<Command>) {
     let palette = theme::palette(ui);
     let height = layout.control_height();
     let response = Modal::new(egui::Id::unique("helper"))
@@ -332,10 +77,10 @@ pub fn show(ui: &Ui, layout: Layout, helper: Helper, inputs: &Inputs, texts: &mu
             text::heading(ui, helper.title(), 2, theme::strong(17.0), palette.text);
             ui.add_space(2.0 * theme::STEP);
             scroll::up_to(ui, ui.ctx().content_rect().height() - 180.0, |ui| {
-                let way = choose_way(ui, helper, texts);
+                let way = choose_way(ui, helper, &mut settings.ways);
                 match way {
-                    Some(way) => ask_way(ui, way, texts, height, commands),
-                    None => ask_q_matrix(ui, inputs, texts, height, commands),
+                    Some(way) => ask_way(ui, way, &mut settings.entries, height, commands),
+                    None => ask_q_matrix(ui, inputs, &mut settings.entries, height, commands),
                 }
             });
             ui.add_space(theme::STEP);
@@ -347,27 +92,24 @@ pub fn show(ui: &Ui, layout: Layout, helper: Helper, inputs: &Inputs, texts: &mu
 }
 
 /// The way chosen among those of `helper`; `None` is the Q matrix.
-fn choose_way(ui: &mut Ui, helper: Helper, texts: &mut Texts) -> Option<&'static Way> {
-    let key = format!("way: {helper:?}");
-    let names: Vec<&'static str> = helper
-        .ways()
+fn choose_way(ui: &mut Ui, helper: Helper, ways: &mut Ways) -> Option<&'static Way> {
+    let named = |way: &'static Way| (way.key, way.name);
+    let q_matrix = (helper == Helper::FocalLength).then_some((fields::Q_MATRIX.as_str(), Q_MATRIX));
+    let choices: Vec<(&'static str, &'static str)> = helper.ways().iter().map(named).chain(q_matrix).collect();
+    let stored = ways.get(helper.key());
+    let mut chosen = choices
         .iter()
-        .map(|way| way.name)
-        .chain((helper == Helper::FocalLength).then_some(Q_MATRIX))
-        .collect();
-    let mut chosen = texts
-        .get(&key)
-        .and_then(|stored| names.iter().find(|name| *name == stored))
-        .or(names.first())
+        .find(|(key, _)| stored.is_some_and(|stored| stored == key))
+        .or(choices.first())
         .copied()
         .unwrap_or_default();
     let before = chosen;
-    ComboBox::from_id_salt(&key)
+    ComboBox::from_id_salt(("way", helper.key()))
         .width(ui.available_width())
-        .selected_text(chosen)
+        .selected_text(chosen.1)
         .show_ui(ui, |ui| {
-            for &name in &names {
-                if ui.selectable_value(&mut chosen, name, name).clicked() {
+            for &choice in &choices {
+                if ui.selectable_value(&mut chosen, choice, choice.1).clicked() {
                     ui.close();
                 }
             }
@@ -375,54 +117,47 @@ fn choose_way(ui: &mut Ui, helper: Helper, texts: &mut Texts) -> Option<&'static
         .response
         .accessible_name("What is known");
     if chosen != before {
-        texts.insert(key, chosen.to_owned());
+        ways.insert(helper.key().to_owned(), chosen.0.to_owned());
     }
     ui.add_space(2.0 * theme::STEP);
-    helper.ways().iter().find(|way| way.name == chosen)
+    Way::named(helper.ways(), chosen.0)
 }
 
-fn ask_way(ui: &mut Ui, way: &Way, texts: &mut Texts, height: f32, commands: &mut Vec<Command>) {
-    let mut numbers = Vec::new();
-    for ask in way.asks {
-        let typed = texts.entry(ask.name.to_owned()).or_default();
+fn ask_way(ui: &mut Ui, way: &Way, entries: &mut Entries, height: f32, commands: &mut Vec<Command>) {
+    for &key in way.asks {
+        let typed = &mut entries.entry_mut(key).text;
         NumberField {
-            name: ask.name,
+            name: key.spec().name,
             hint: "",
-            example: ask.example,
-            unit: Unit::Fixed(ask.unit),
-            signed: way.field == Field::Disparity,
+            example: key.spec().example(),
+            unit: Unit::Fixed(key.spec().unit_symbol()),
+            signed: way.target == Field::Disparity,
             sigma: None,
         }
         .show(ui, typed, height);
-        if ask.name == SENSOR_WIDTH.name {
+        if key == fields::SENSOR_WIDTH {
             sensor_formats(ui, typed);
-        }
-        if let Ok(number::Typed { number, unit: None, .. }) = number::read(typed) {
-            numbers.push(number);
         }
     }
     text::caption(ui, way.remark);
     ui.add_space(theme::STEP);
-    let symbol = way.field.symbol();
-    let result = if numbers.len() == way.asks.len() {
-        (way.compute)(&numbers)
-    } else {
-        incomplete()
-    };
-    let usable = result.as_ref().ok().filter(|value| value.is_finite());
+    let symbol = way.target.symbol;
+    let result = way.compute(entries);
+    let usable = result.as_ref().ok().copied().flatten();
     let label = usable.map_or_else(
         || format!("Use as {symbol}"),
-        |value| format!("Use {symbol} = {} px", significant(*value, 6)),
+        |value| format!("Use {symbol} = {} px", significant(value, 6)),
     );
-    if let Err(reason) = &result
-        && !reason.is_empty()
+    // What is not one number is said at its field.
+    if let Err(note) = &result
+        && number::read(&entries.entry(note.key).text).is_ok()
     {
-        text::note(ui, Severity::Error, reason, None);
+        text::note(ui, Severity::Error, &note.message(), None);
     }
     if use_button(ui, &label, usable.is_some(), height)
         && let Some(value) = usable
     {
-        commands.push(Command::Fix(way.field, Entry::new(plain(*value), None)));
+        commands.push(Command::Fix(way.target, way.entry(value)));
     }
 }
 
@@ -444,10 +179,10 @@ fn sensor_formats(ui: &mut Ui, typed: &mut String) {
     ui.add_space(2.0 * theme::STEP);
 }
 
-fn ask_q_matrix(ui: &mut Ui, inputs: &Inputs, texts: &mut Texts, height: f32, commands: &mut Vec<Command>) {
+fn ask_q_matrix(ui: &mut Ui, inputs: &Inputs, entries: &mut Entries, height: f32, commands: &mut Vec<Command>) {
     let palette = theme::palette(ui);
     let name = ui.label(RichText::new("Q matrix").font(theme::strong(theme::BODY_SIZE)).color(palette.text));
-    let typed = texts.entry("Q matrix".to_owned()).or_default();
+    let typed = &mut entries.entry_mut(fields::Q_MATRIX).text;
     let field = ui
         .add(
             TextEdit::multiline(typed)
@@ -464,7 +199,7 @@ fn ask_q_matrix(ui: &mut Ui, inputs: &Inputs, texts: &mut Texts, height: f32, co
     let geometry = match q_matrix::read(typed) {
         Ok(geometry) => geometry,
         Err(reason) => {
-            text::note(ui, Severity::Error, &reason, Some(field.id));
+            text::note(ui, Severity::Error, &reason.to_string(), Some(field.id));
             return;
         }
     };
@@ -477,8 +212,7 @@ fn ask_q_matrix(ui: &mut Ui, inputs: &Inputs, texts: &mut Texts, height: f32, co
         significant(geometry.cy.px(), 6)
     ));
     if geometry.swapped {
-        let warning = "The sign of this Q means that left and right are swapped, or that T has the wrong sign: depths come out negative.";
-        text::note(ui, Severity::Warning, warning, Some(field.id));
+        text::note(ui, Severity::Warning, &Issue::QMatrixSwapped.to_string(), Some(field.id));
     }
     ui.add_space(theme::STEP);
     ui.label(format!(
@@ -490,10 +224,13 @@ fn ask_q_matrix(ui: &mut Ui, inputs: &Inputs, texts: &mut Texts, height: f32, co
             let label = format!("{} {}", significant(geometry.baseline, 6), unit.symbol());
             if ui.add(Button::new(label).min_size(vec2(0.0, height))).clicked() {
                 let mut filled = inputs.clone();
-                *filled.entry_mut(Field::FocalLength) = Entry::new(plain(geometry.focal_length.px()), None);
-                *filled.entry_mut(Field::Baseline) = Entry::new(plain(geometry.baseline), Some(unit));
+                filled.fill(Field::FocalLength, Entry::new(plain(geometry.focal_length.px()), None));
+                filled.fill(Field::Baseline, Entry::new(plain(geometry.baseline), Some(unit)));
                 let doffs = geometry.doffs.px();
-                *filled.entry_mut(Field::Doffs) = Entry::new(if doffs == 0.0 { String::new() } else { plain(doffs) }, None);
+                filled.fill(
+                    Field::Doffs,
+                    Entry::new(if doffs == 0.0 { String::new() } else { plain(doffs) }, None),
+                );
                 commands.push(Command::PrincipalPoint(geometry.cx, geometry.cy));
                 commands.push(Command::Open(
                     Box::new(filled),
@@ -523,75 +260,3 @@ pub const MATCHING_ERRORS: [(&str, &str); 7] = [
     ("0.5", "limit (Carnegie Robotics)"),
     ("1.3", "mrcal with a poor lens model"),
 ];
-
-#[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
-    use super::*;
-
-    fn compute(helper: Helper, name: &str, numbers: &[f64]) -> Result<f64, String> {
-        let way = helper
-            .ways()
-            .iter()
-            .find(|way| way.name == name)
-            .unwrap_or_else(|| panic!("{name}"));
-        assert_eq!(way.asks.len(), numbers.len(), "{name}");
-        (way.compute)(numbers)
-    }
-
-    /// Golden figures: the web page's f_mm / pixel pitch; OpenCV's `calibrationMatrixValues` (2.625 mm on 4.8 mm with
-    /// 1280 px is 700 px); the vendor's OAK-D Lite (73° on 640 px is 432.5 px); the mug; the D435i's 0.6 scale.
-    #[test]
-    fn focal_lengths_come_out_as_published() {
-        for (name, numbers, expected) in [
-            ("Lens and pixel size", &[4.0, 3.0][..], 1333.333),
-            ("Lens and sensor width", &[2.625, 4.8, 1280.0], 700.0),
-            ("Horizontal field of view", &[73.0, 640.0], 432.45),
-            ("Vertical field of view", &[54.093_788, 720.0], 705.0),
-            ("Diagonal field of view", &[90.0, 800.0, 600.0], 500.0),
-            ("One reference photo", &[150.0, 1.4, 0.3], 700.0),
-            ("Same camera, other resolution", &[631.343, 1280.0, 768.0], 378.806),
-        ] {
-            let got = compute(Helper::FocalLength, name, numbers).unwrap();
-            // The vertical one has its principal point 10 px off the centre in the source.
-            let tolerance = if name.starts_with("Vertical") { 1e-3 } else { 2e-4 };
-            assert!((got / expected - 1.0).abs() < tolerance, "{name}: {got}");
-        }
-    }
-
-    #[test]
-    fn every_way_to_the_mug_s_fifty_pixels() {
-        for (name, numbers) in [
-            ("Columns in both images", &[660.0, 610.0][..]),
-            ("OpenCV StereoBM or StereoSGBM", &[800.0, 0.0]),
-            ("KITTI, 16-bit image", &[12_800.0]),
-            ("DepthAI, sub-pixel", &[400.0, 3.0]),
-            ("Fraction of the image width", &[50.0 / 1280.0, 1280.0]),
-            ("ZED, negative sign", &[-50.0]),
-        ] {
-            assert_eq!(compute(Helper::Disparity, name, numbers), Ok(50.0), "{name}");
-        }
-        assert_eq!(
-            compute(Helper::Disparity, "doffs from both principal points", &[610.0, 650.0]),
-            Ok(40.0)
-        );
-    }
-
-    #[test]
-    fn invalid_values_of_opencv_are_recognised_for_the_min_disparity_given() {
-        for (stored, min_disparity) in [(-16.0, 0.0), (240.0, 16.0), (-272.0, -16.0)] {
-            let reason = compute(Helper::Disparity, "OpenCV StereoBM or StereoSGBM", &[stored, min_disparity]).unwrap_err();
-            assert!(reason.contains("found nothing"), "{reason}");
-        }
-    }
-
-    #[test]
-    fn numbers_that_give_no_focal_length_are_refused_in_words() {
-        for (name, numbers) in [
-            ("Horizontal field of view", &[180.0, 640.0][..]),
-            ("Lens and pixel size", &[0.0, 3.0]),
-        ] {
-            assert!(compute(Helper::FocalLength, name, numbers).unwrap_err().contains("no focal length"));
-        }
-    }
-}

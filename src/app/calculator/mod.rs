@@ -66,7 +66,7 @@ impl Calculator {
             }
         }
         if let Some(helper) = self.helper {
-            helpers::show(ui, layout, helper, &sheet.inputs, &mut settings.texts, commands);
+            helpers::show(ui, layout, helper, &sheet.inputs, settings, commands);
         }
     }
 
@@ -102,7 +102,7 @@ impl Calculator {
                 ui,
                 solution,
                 unit,
-                &mut settings.texts,
+                &mut settings.entries,
                 layout.control_height(),
                 layout.columns(),
                 gap,
@@ -163,7 +163,7 @@ impl Card {
 
 fn intermediate(ui: &mut Ui, assessment: &Assessment) {
     let solution = &assessment.solution;
-    let metres = |length| report::length(length, LengthUnit::Metre);
+    let metres = |length| report::length(length, LengthUnit::Meter);
     let width_px = solution.estimated_width_px.map_or_else(
         || crate::formats::number::NO_NUMBER.to_owned(),
         |width| crate::formats::number::significant(width.px(), report::DIGITS),

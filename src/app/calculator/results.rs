@@ -75,7 +75,7 @@ pub fn show(
             card(ui, shown.name(), |ui| {
                 match shown {
                     Shown::Method(method) => result(ui, solution, method, unit),
-                    Shown::Together(together) => combined(ui, together, &assessment.suspects, unit),
+                    Shown::Together(together) => combined(ui, together, &assessment.suspects(), unit),
                 }
                 cards::fill_height(ui, id);
             });

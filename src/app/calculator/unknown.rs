@@ -6,6 +6,7 @@ use crate::app::widgets::number_field::{self, NumberField};
 use crate::app::widgets::text;
 use crate::core::problem::{Field, Method};
 use crate::core::quantity::LengthUnit;
+use crate::formats::fields;
 use crate::formats::inputs::{Assessment, Inputs};
 use egui::{ComboBox, Ui};
 
@@ -50,21 +51,23 @@ pub fn show(ui: &mut Ui, inputs: &mut Inputs, assessment: &Assessment, height: f
         commands.push(Command::Settle);
     }
     ui.add_space(theme::STEP);
-    let unit = inputs.distance.unit.get_or_insert(LengthUnit::Metre);
+    let with_uncertainty = inputs.with_uncertainty;
+    let distance = inputs.entry_mut(fields::DISTANCE);
+    let unit = distance.unit.get_or_insert(LengthUnit::Meter);
     let left = NumberField {
         name: "Distance (D)",
         hint: "The distance along the optical axis, now an input.",
         example: "1.4",
         unit: number_field::Unit::Choice(unit),
         signed: false,
-        sigma: inputs.with_uncertainty.then_some(&mut inputs.distance_sigma),
+        sigma: with_uncertainty.then_some(&mut distance.sigma),
     }
-    .show(ui, &mut inputs.distance.text, height);
+    .show(ui, &mut distance.text, height);
     if left {
         commands.push(Command::Settle);
     }
     if let Some(Err(reason)) = assessment.unknown.as_ref().map(|unknown| &unknown.outcome) {
-        text::caption(ui, reason);
+        text::caption(ui, reason.to_string());
     }
     ui.add_space(2.0 * theme::STEP);
 }

@@ -5,7 +5,8 @@ use crate::app::command::Command;
 use crate::app::theme;
 use crate::core::problem::Field;
 use crate::core::quantity::LengthUnit;
-use crate::formats::inputs::{Inputs, Note, Severity, Unknown, example_text, hint};
+use crate::formats::field::Key as FieldKey;
+use crate::formats::inputs::{Inputs, Note, Severity, Unknown};
 use crate::formats::report;
 use egui::accesskit::Role;
 use egui::text::{CCursor, CCursorRange};
@@ -28,13 +29,13 @@ pub struct Around<'a> {
 }
 
 /// The id of the text field of `field`, for moving the focus to it.
-pub fn id(field: Field) -> Id {
-    Id::unique(("quantity field", field))
+pub fn id(key: impl Into<FieldKey>) -> Id {
+    Id::unique(("quantity field", key.into().as_str()))
 }
 
 /// The id of the field for the σ of `field`.
-pub fn sigma_id(field: Field) -> Id {
-    Id::unique(("uncertainty field", field))
+pub fn sigma_id(key: impl Into<FieldKey>) -> Id {
+    Id::unique(("uncertainty field", key.into().as_str()))
 }
 
 /// Draws the field. Edits go straight into `inputs`; what else the person wants is added to `commands`.
@@ -85,7 +86,7 @@ pub fn show(ui: &mut Ui, inputs: &mut Inputs, field: Field, around: Around<'_>, 
             response
         })
         .inner;
-    super::text::caption(ui, hint(field));
+    super::text::caption(ui, FieldKey::from(field).hint);
     if inputs.with_uncertainty && field == Field::Disparity {
         typical_errors(ui, inputs, field, height, commands);
     }
@@ -129,7 +130,7 @@ fn text_field(
             let palette = theme::palette(ui);
             TextEdit::singleline(&mut inputs.entry_mut(field).text)
                 .id(id)
-                .hint_text(RichText::new(format!("e.g. {}", example_text(field))).color(palette.muted))
+                .hint_text(RichText::new(format!("e.g. {}", FieldKey::from(field).example())).color(palette.muted))
                 .align(egui::Align2::RIGHT_CENTER)
                 .margin(egui::Margin::symmetric(10, 4))
                 .desired_width(size.x)
@@ -143,7 +144,7 @@ fn text_field(
         // A number with a unit is typed as text, but assistive technology and phones should know that it is a number.
         node.set_role(Role::NumberInput);
         let unit = if inputs.unit(field).is_none() { " In pixels." } else { "" };
-        node.set_description(format!("{}{unit} Arrow up and down step the value.", hint(field)));
+        node.set_description(format!("{}{unit} Arrow up and down step the value.", FieldKey::from(field).hint));
         if let Some(value) = inputs.number(field) {
             node.set_numeric_value(value);
         }
@@ -290,12 +291,12 @@ pub fn length_unit_choice(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::Debu
 }
 
 fn note_below(ui: &mut Ui, note: &Note, about: Id, height: f32, commands: &mut Vec<Command>) {
-    super::text::note(ui, note.severity, &note.message, Some(about));
+    super::text::note(ui, note.severity, &note.message(), Some(about));
     if !note.fixes.is_empty() {
         ui.horizontal_wrapped(|ui| {
             for fix in &note.fixes {
-                if ui.add(Button::new(&fix.label).min_size(vec2(0.0, height))).clicked() {
-                    commands.push(Command::Fix(note.field, fix.entry.clone()));
+                if ui.add(Button::new(fix.label()).min_size(vec2(0.0, height))).clicked() {
+                    commands.push(Command::Fix(note.key, fix.entry.clone()));
                 }
             }
         });

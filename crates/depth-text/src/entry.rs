@@ -1,0 +1,131 @@
+//! What was typed into one field ([`Entry`]) and into several ([`Entries`]).
+
+use crate::field::Key;
+use crate::number;
+use crate::unit::Unit;
+use depth_core::quantity::LengthUnit;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::collections::BTreeMap;
+
+/// One field as typed.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Entry {
+    /// The text in the field.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub text: String,
+    /// The unit chosen beside it; `None` where none was chosen or there is no choice.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<LengthUnit>,
+    /// σ as typed: a number, with a unit, or in % of the value.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub sigma: String,
+}
+
+static BLANK: Entry = Entry {
+    text: String::new(),
+    unit: None,
+    sigma: String::new(),
+};
+
+impl Entry {
+    /// `text` with `unit`, without σ.
+    pub fn new(text: impl Into<String>, unit: Option<LengthUnit>) -> Self {
+        Self {
+            text: text.into(),
+            unit,
+            sigma: String::new(),
+        }
+    }
+
+    /// Whether there is no text in the field; there may be a σ.
+    pub fn is_blank(&self) -> bool {
+        self.text.trim().is_empty()
+    }
+
+    /// The unit of a bare number in the field `key`.
+    pub fn chosen_unit(&self, key: Key) -> Option<Unit> {
+        match (key.kind.default_unit(), self.unit) {
+            (Some(Unit::Length(_)), Some(chosen)) => Some(Unit::Length(chosen)),
+            (default, _) => default,
+        }
+    }
+
+    /// Moves a unit typed behind the number into the choice beside it. What cannot be read is left as it is.
+    pub fn tidy(&mut self, key: Key) {
+        let Ok(typed) = number::read(&self.text) else { return };
+        match typed.unit.filter(|&unit| key.kind.reads(unit)) {
+            Some(unit) if key.is_length() => {
+                let number = typed.number_text.to_owned();
+                self.unit = unit.length();
+                self.text = number;
+            }
+            // Nothing is lost: the field has this unit and no choice.
+            Some(unit) if key.kind.default_unit() == Some(unit) => self.text = typed.number_text.to_owned(),
+            _ => {}
+        }
+    }
+
+    /// Everything that was typed or chosen; `None` where that is nothing.
+    fn content(&self, key: Key) -> Option<(&str, Option<LengthUnit>, &str)> {
+        let unit = self.unit.filter(|&unit| key.kind.length_unit() != Some(unit));
+        let content = (self.text.as_str(), unit, self.sigma.as_str());
+        (content != ("", None, "")).then_some(content)
+    }
+}
+
+/// What was typed, by field. A field into which nothing was typed is the same as one that was never touched.
+#[derive(Clone, Debug, Default)]
+pub struct Entries(BTreeMap<Key, Entry>);
+
+impl Entries {
+    /// The entry of the field `key`.
+    pub fn entry(&self, key: impl Into<Key>) -> &Entry {
+        self.0.get(&key.into()).unwrap_or(&BLANK)
+    }
+
+    /// The entry of the field `key`, to be changed.
+    pub fn entry_mut(&mut self, key: impl Into<Key>) -> &mut Entry {
+        self.0.entry(key.into()).or_default()
+    }
+
+    /// Replaces the text and the chosen unit by those of `value`; what was typed for σ stays.
+    pub fn fill(&mut self, key: impl Into<Key>, value: Entry) {
+        let entry = self.entry_mut(key);
+        entry.text = value.text;
+        entry.unit = value.unit;
+    }
+
+    /// Whether nothing was typed anywhere; units may have been chosen.
+    pub fn is_blank(&self) -> bool {
+        self.0.values().all(|entry| entry.is_blank() && entry.sigma.trim().is_empty())
+    }
+
+    fn content(&self) -> impl Iterator<Item = (Key, (&str, Option<LengthUnit>, &str))> {
+        self.0.iter().filter_map(|(&key, entry)| Some((key, entry.content(key)?)))
+    }
+}
+
+impl PartialEq for Entries {
+    fn eq(&self, other: &Self) -> bool {
+        self.content().eq(other.content())
+    }
+}
+
+impl Eq for Entries {}
+
+impl Serialize for Entries {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let touched = self.0.iter().filter(|(key, entry)| entry.content(**key).is_some());
+        serializer.collect_map(touched)
+    }
+}
+
+impl<'de> Deserialize<'de> for Entries {
+    /// Fields that this version does not have are left out.
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let stored = BTreeMap::<String, Entry>::deserialize(deserializer)?;
+        let known = stored.into_iter().filter_map(|(name, entry)| Some((Key::named(&name)?, entry)));
+        Ok(Self(known.collect()))
+    }
+}

@@ -1,0 +1,294 @@
+//! The table of all fields: a field added here is read, stored, linked, reported and, where it has an option, known to the
+//! command line without another edit.
+
+use crate::field::{CommandOption, FieldSpec, Key, Kind, Section};
+use depth_core::problem::Field;
+use depth_core::quantity::LengthUnit;
+
+/// Makes a [`Key`] of each row, and of all of them the [`TABLE`].
+macro_rules! table {
+    ($($(#[$doc:meta])* $name:ident = $spec:expr;)*) => {
+        $($(#[$doc])* pub const $name: Key = Key::of(&$spec);)*
+
+        /// Every field, those of the form first and in reading order.
+        pub static TABLE: &[Key] = &[$($name),*];
+    };
+}
+
+const BLANK: FieldSpec = FieldSpec::BLANK;
+
+const INPUT: FieldSpec = FieldSpec {
+    kind: Kind::Pixels,
+    has_sigma: true,
+    ..BLANK
+};
+
+const PIXELS: FieldSpec = FieldSpec {
+    kind: Kind::Pixels,
+    ..BLANK
+};
+
+const METERS: FieldSpec = FieldSpec {
+    kind: Kind::Length(LengthUnit::Meter),
+    ..BLANK
+};
+
+const MILLIMETERS: FieldSpec = FieldSpec {
+    kind: Kind::Length(LengthUnit::Millimeter),
+    ..BLANK
+};
+
+const VIEW: FieldSpec = FieldSpec {
+    kind: Kind::Angle,
+    ..BLANK
+};
+
+table! {
+    /// fx, px
+    FOCAL_LENGTH = FieldSpec {
+        key: "fx", name: "Focal length (fx)", symbol: "fx", noun: "the focal length", examples: &["700"],
+        hint: "Focal length of the camera in pixels.",
+        input: Some(Field::FocalLength), section: Some(Section::Camera),
+        option: Some(CommandOption {
+            name: "fx",
+            help: "Focal length in pixels of the image that the other pixels are counted in",
+            sigma_help: "1 σ of the focal length, such as 2 or 0.3%",
+        }),
+        ..INPUT
+    };
+    /// b, a length
+    BASELINE = FieldSpec {
+        key: "b", name: "Camera baseline (b)", symbol: "b", noun: "the baseline", examples: &["100"],
+        kind: Kind::Length(LengthUnit::Millimeter),
+        hint: "Distance between the two cameras.",
+        input: Some(Field::Baseline), section: Some(Section::Stereo),
+        option: Some(CommandOption {
+            name: "baseline",
+            help: "Distance between the two cameras; bare: in mm",
+            sigma_help: "1 σ of the baseline, such as 0.5mm or 0.5%",
+        }),
+        ..INPUT
+    };
+    /// d, px
+    DISPARITY = FieldSpec {
+        key: "d", name: "Disparity (d)", symbol: "d", noun: "the disparity", examples: &["50"],
+        hint: "Horizontal shift of the object between the left and right image.",
+        input: Some(Field::Disparity), section: Some(Section::Stereo),
+        option: Some(CommandOption {
+            name: "disparity",
+            help: "Horizontal shift of the object between the rectified images, left x minus right x",
+            sigma_help: "1 σ of the disparity, such as 0.25",
+        }),
+        ..INPUT
+    };
+    /// δ = cx_right − cx_left, px
+    DOFFS = FieldSpec {
+        key: "doffs", name: "Principal point offset (doffs)", symbol: "doffs", noun: "doffs", examples: &["0", "131.1"],
+        hint: "cx of the right camera minus cx of the left one; added to the disparity.",
+        signed: true, is_optional: true,
+        input: Some(Field::Doffs), section: Some(Section::Stereo),
+        option: Some(CommandOption {
+            name: "doffs",
+            help: "cx of the right camera minus cx of the left one, added to the disparity",
+            sigma_help: "1 σ of doffs",
+        }),
+        ..INPUT
+    };
+    /// w_img, px
+    IMAGE_WIDTH = FieldSpec {
+        key: "wimg", name: "Object width in image (w_img)", symbol: "w_img", noun: "the width in the image", examples: &["150"],
+        hint: "Width of the object in the image.",
+        input: Some(Field::ImageWidth), section: Some(Section::Monocular),
+        option: Some(CommandOption {
+            name: "w-img",
+            help: "Width of the object in the image",
+            sigma_help: "1 σ of the width in the image",
+        }),
+        ..INPUT
+    };
+    /// w_real, a length
+    REAL_WIDTH = FieldSpec {
+        key: "wreal", name: "Object real width (w_real)", symbol: "w_real", noun: "the real width", examples: &["0.30"],
+        kind: Kind::Length(LengthUnit::Meter),
+        hint: "Actual physical width of the object.",
+        input: Some(Field::RealWidth), section: Some(Section::Monocular),
+        option: Some(CommandOption {
+            name: "w-real",
+            help: "Width of the object itself; bare: in m",
+            sigma_help: "1 σ of the real width, such as 1cm or 3%",
+        }),
+        ..INPUT
+    };
+    /// D, where something else is solved for.
+    DISTANCE = FieldSpec {
+        key: "distance", name: "Distance (D)", symbol: "D", noun: "the distance", examples: &["1.4"], has_sigma: true,
+        hint: "The distance along the optical axis, now an input.",
+        ..METERS
+    };
+
+    /// Column of the principal point.
+    CX = FieldSpec { key: "cx", name: "Principal point cx", symbol: "cx", noun: "cx", examples: &["640"], ..PIXELS };
+    /// Row of the principal point.
+    CY = FieldSpec { key: "cy", name: "Principal point cy", symbol: "cy", noun: "cy", examples: &["360"], ..PIXELS };
+    /// Column of the pixel whose range is wanted.
+    PIXEL_COLUMN = FieldSpec {
+        key: "u", name: "Column of the pixel (u)", symbol: "u", noun: "the column of the pixel", examples: &["900"],
+        ..PIXELS
+    };
+    /// Row of the pixel whose range is wanted.
+    PIXEL_ROW = FieldSpec {
+        key: "v", name: "Row of the pixel (v)", symbol: "v", noun: "the row of the pixel", examples: &["500"],
+        ..PIXELS
+    };
+    /// How far the target is turned away.
+    TILT = FieldSpec {
+        key: "tilt", name: "Tilt of the target", symbol: "φ", noun: "the tilt", kind: Kind::Angle, examples: &["20"], signed: true,
+        ..BLANK
+    };
+    /// Height of the camera above the floor.
+    CAMERA_HEIGHT = FieldSpec {
+        key: "camera-height", name: "Height of the camera", symbol: "h", noun: "the height of the camera", examples: &["1.2"],
+        has_sigma: true,
+        ..METERS
+    };
+    /// How far the optical axis points down.
+    CAMERA_PITCH = FieldSpec {
+        key: "camera-pitch", name: "Pitch of the camera, downwards", symbol: "θ", noun: "the pitch of the camera",
+        kind: Kind::Angle, examples: &["10"], signed: true, has_sigma: true,
+        ..BLANK
+    };
+    /// Row at which the point on the floor is seen.
+    FLOOR_ROW = FieldSpec {
+        key: "floor-row", name: "Row of the point on the floor", symbol: "v", noun: "the row of the point", examples: &["500"],
+        has_sigma: true,
+        ..PIXELS
+    };
+
+    /// Focal length of a lens.
+    LENS = FieldSpec {
+        key: "lens", name: "Focal length of the lens", noun: "the focal length of the lens", examples: &["4"], ..MILLIMETERS
+    };
+    /// Size of one pixel of a sensor.
+    PIXEL_PITCH = FieldSpec {
+        key: "pixel-pitch", name: "Pixel pitch", noun: "the pixel pitch", kind: Kind::Pitch, examples: &["3"], ..BLANK
+    };
+    /// Width of a sensor.
+    SENSOR_WIDTH = FieldSpec {
+        key: "sensor-width", name: "Width of the sensor", noun: "the width of the sensor", examples: &["4.8"], ..MILLIMETERS
+    };
+    /// Width of a whole image.
+    FRAME_WIDTH = FieldSpec {
+        key: "frame-width", name: "Width of the image", noun: "the width of the image", examples: &["1280"], ..PIXELS
+    };
+    /// Height of a whole image.
+    FRAME_HEIGHT = FieldSpec {
+        key: "frame-height", name: "Height of the image", noun: "the height of the image", examples: &["720"], ..PIXELS
+    };
+    /// Field of view along the rows.
+    HORIZONTAL_VIEW = FieldSpec {
+        key: "horizontal-view", name: "Horizontal field of view", noun: "the field of view", examples: &["69"], ..VIEW
+    };
+    /// Field of view along the columns.
+    VERTICAL_VIEW = FieldSpec {
+        key: "vertical-view", name: "Vertical field of view", noun: "the field of view", examples: &["42"], ..VIEW
+    };
+    /// Field of view from corner to corner.
+    DIAGONAL_VIEW = FieldSpec {
+        key: "diagonal-view", name: "Diagonal field of view", noun: "the field of view", examples: &["78"], ..VIEW
+    };
+    /// Width in a reference photograph.
+    REFERENCE_IMAGE_WIDTH = FieldSpec {
+        key: "reference-wimg", name: "Its width in the image", noun: "the width in the image", examples: &["150"], ..PIXELS
+    };
+    /// Distance of what a reference photograph shows.
+    REFERENCE_DISTANCE = FieldSpec {
+        key: "reference-distance", name: "Its distance", noun: "the distance", examples: &["1.4"], ..METERS
+    };
+    /// Width of what a reference photograph shows.
+    REFERENCE_REAL_WIDTH = FieldSpec {
+        key: "reference-wreal", name: "Its real width", noun: "the real width", examples: &["0.3"], ..METERS
+    };
+    /// A focal length at another resolution.
+    KNOWN_FOCAL_LENGTH = FieldSpec {
+        key: "known-fx", name: "Known focal length", noun: "the known focal length", examples: &["631.3"], ..PIXELS
+    };
+    /// Width of the image before it was resized.
+    WIDTH_BEFORE = FieldSpec {
+        key: "width-before", name: "Width of the image it belongs to", noun: "the width of the image", examples: &["1280"], ..PIXELS
+    };
+    /// Width of the image after it was resized.
+    WIDTH_AFTER = FieldSpec {
+        key: "width-after", name: "Width after resizing, before any crop", noun: "the width after resizing", examples: &["768"],
+        ..PIXELS
+    };
+
+    /// Column of a point in the left image.
+    LEFT_COLUMN = FieldSpec {
+        key: "left-x", name: "x in the left image", noun: "x in the left image", examples: &["660"], signed: true, ..PIXELS
+    };
+    /// Column of the point in the right image.
+    RIGHT_COLUMN = FieldSpec {
+        key: "right-x", name: "x in the right image", noun: "x in the right image", examples: &["610"], signed: true, ..PIXELS
+    };
+    /// What a program stored for a disparity.
+    STORED_VALUE = FieldSpec { key: "stored", name: "Stored value", noun: "the stored value", examples: &["800"], signed: true, ..BLANK };
+    /// The matcher's minDisparity.
+    MIN_DISPARITY = FieldSpec {
+        key: "min-disparity", name: "minDisparity", noun: "minDisparity", kind: Kind::Count, examples: &["0"], signed: true, ..BLANK
+    };
+    /// Sub-pixel bits of DepthAI.
+    SUBPIXEL_BITS = FieldSpec {
+        key: "subpixel-bits", name: "Sub-pixel bits", noun: "the number of sub-pixel bits", kind: Kind::Count, examples: &["3"],
+        signed: true,
+        ..BLANK
+    };
+    /// A disparity as a part of the width of the image.
+    FRACTION = FieldSpec { key: "fraction", name: "Fraction", noun: "the fraction", examples: &["0.039"], signed: true, ..BLANK };
+    /// A disparity with the opposite sign.
+    ZED_DISPARITY = FieldSpec {
+        key: "zed-disparity", name: "Disparity of the ZED", noun: "the disparity of the ZED", examples: &["−50"], signed: true,
+        ..PIXELS
+    };
+    /// Column of the left principal point.
+    LEFT_CX = FieldSpec {
+        key: "left-cx", name: "cx of the left camera", noun: "cx of the left camera", examples: &["610"], ..PIXELS
+    };
+    /// Column of the right principal point.
+    RIGHT_CX = FieldSpec {
+        key: "right-cx", name: "cx of the right camera", noun: "cx of the right camera", examples: &["650"], ..PIXELS
+    };
+    /// doffs from a calibration file.
+    FILE_DOFFS = FieldSpec { key: "file-doffs", name: "doffs", noun: "doffs", examples: &["131.1"], signed: true, ..PIXELS };
+
+    /// A Q matrix as pasted.
+    Q_MATRIX = FieldSpec { key: "q-matrix", name: "Q matrix", noun: "the Q matrix", kind: Kind::Text, ..BLANK };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_key_leads_back_to_its_field_and_no_two_fields_share_one() {
+        for (position, &key) in TABLE.iter().enumerate() {
+            assert_eq!(Key::named(key.key), Some(key));
+            assert_eq!(TABLE.iter().filter(|other| **other == key).count(), 1, "{key:?}");
+            assert!(
+                !key.name.is_empty() && !key.noun.is_empty() && !key.key.is_empty(),
+                "number {position}"
+            );
+            assert!(key.kind == Kind::Text || !key.examples.is_empty(), "{key:?}");
+        }
+        for field in Field::ALL {
+            assert_eq!(Key::from(field).input, Some(field));
+            assert_eq!(Key::from(field).name, field.name());
+        }
+    }
+
+    #[test]
+    fn the_fields_of_the_form_are_in_reading_order() {
+        let in_sections: Vec<_> = Section::ALL.into_iter().flat_map(Section::keys).collect();
+        assert_eq!(in_sections, Key::form().collect::<Vec<_>>());
+        assert!(TABLE.is_sorted());
+    }
+}

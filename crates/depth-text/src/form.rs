@@ -1,0 +1,135 @@
+//! The form as typed.
+
+use crate::entry::{Entries, Entry};
+use crate::field::Key;
+use crate::fields;
+use crate::number;
+use depth_core::problem::{Field, Method};
+use depth_core::quantity::LengthUnit;
+use serde::{Deserialize, Serialize};
+
+/// Everything typed into the form.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Inputs {
+    /// What was typed, the distance included, by field.
+    pub entries: Entries,
+    /// Whether the σ are asked for. Switched off, what was typed stays but does not count.
+    pub with_uncertainty: bool,
+    /// What is solved for, where it is not the distance.
+    pub unknown: Option<(Method, Field)>,
+}
+
+/// A worked example that a button fills in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Example {
+    /// 700 px, 10 cm, 50 px: 1.4 m by stereo.
+    CoffeeMug,
+    /// 950 px, 0.9 m, 200 px: 4.275 m by its width.
+    Doorway,
+}
+
+impl Example {
+    /// Both examples.
+    pub const ALL: [Self; 2] = [Self::CoffeeMug, Self::Doorway];
+
+    /// The text of its button.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::CoffeeMug => "Coffee mug (stereo)",
+            Self::Doorway => "Doorway (monocular)",
+        }
+    }
+
+    /// The form filled in. Source: the two worked examples of the page that this program reproduces.
+    pub fn inputs(self) -> Inputs {
+        let mut inputs = Inputs::default();
+        match self {
+            Self::CoffeeMug => {
+                inputs.entry_mut(fields::FOCAL_LENGTH).text = "700".into();
+                inputs.fill(fields::BASELINE, Entry::new("10", Some(LengthUnit::Centimeter)));
+                inputs.entry_mut(fields::DISPARITY).text = "50".into();
+            }
+            Self::Doorway => {
+                inputs.entry_mut(fields::FOCAL_LENGTH).text = "950".into();
+                inputs.entry_mut(fields::IMAGE_WIDTH).text = "200".into();
+                inputs.fill(fields::REAL_WIDTH, Entry::new("0.9", Some(LengthUnit::Meter)));
+            }
+        }
+        inputs
+    }
+}
+
+impl Inputs {
+    /// The entry of the field `key`.
+    pub fn entry(&self, key: impl Into<Key>) -> &Entry {
+        self.entries.entry(key)
+    }
+
+    /// The entry of the field `key`, to be changed.
+    pub fn entry_mut(&mut self, key: impl Into<Key>) -> &mut Entry {
+        self.entries.entry_mut(key)
+    }
+
+    /// Replaces the text and the chosen unit of the field `key`; what was typed for σ stays.
+    pub fn fill(&mut self, key: impl Into<Key>, value: Entry) {
+        self.entries.fill(key, value);
+    }
+
+    /// σ of the field `key` as typed: a number, with a unit, or in % of the value.
+    pub fn sigma(&self, key: impl Into<Key>) -> &str {
+        &self.entry(key).sigma
+    }
+
+    /// Sets σ of the field `key` as typed. A blank one is none.
+    pub fn set_sigma(&mut self, key: impl Into<Key>, text: impl Into<String>) {
+        self.entry_mut(key).sigma = text.into();
+    }
+
+    /// Whether the field `key` is shown: an optional one is once there is something in it, or it is solved for.
+    pub fn shows(&self, key: impl Into<Key>) -> bool {
+        let key = key.into();
+        let entry = self.entry(key);
+        let solved_for = self.unknown.is_some_and(|(_, field)| key == field);
+        !key.is_optional || !entry.is_blank() || !entry.sigma.is_empty() || solved_for
+    }
+
+    /// Whether nothing was typed into the form. A distance, which belongs to what is solved for, does not count.
+    pub fn is_blank(&self) -> bool {
+        Key::form().all(|key| self.entry(key).is_blank() && self.sigma(key).trim().is_empty())
+    }
+
+    /// The unit that holds for a length: the one typed behind the number, else the one chosen beside it.
+    pub fn unit(&self, key: impl Into<Key>) -> Option<LengthUnit> {
+        let key = key.into();
+        let default = key.kind.length_unit()?;
+        let entry = self.entry(key);
+        let typed = number::read(&entry.text).ok().and_then(|typed| typed.unit?.length());
+        Some(typed.or(entry.unit).unwrap_or(default))
+    }
+
+    /// The number typed into the field `key`, in the unit typed or chosen; `None` where there is none.
+    pub fn number(&self, key: impl Into<Key>) -> Option<f64> {
+        number::read(&self.entry(key).text).ok().map(|typed| typed.number)
+    }
+
+    /// Moves a unit typed behind the number into the choice beside it. What cannot be read is left as it is.
+    pub fn tidy(&mut self, key: impl Into<Key>) {
+        let key = key.into();
+        self.entry_mut(key).tidy(key);
+    }
+
+    /// Chooses `unit` for the field `key` and keeps the typed number: the person corrects the unit, the number is what they
+    /// read.
+    pub fn choose_unit(&mut self, key: impl Into<Key>, unit: LengthUnit) {
+        let key = key.into();
+        self.tidy(key);
+        self.entry_mut(key).unit = Some(unit);
+    }
+
+    /// Counts the last typed digit of the field `key` up or down by `steps`; see [`Entry::step`].
+    pub fn step(&mut self, key: impl Into<Key>, steps: i32) {
+        let key = key.into();
+        self.entry_mut(key).step(key, steps);
+    }
+}

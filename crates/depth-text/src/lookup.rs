@@ -1,0 +1,63 @@
+//! Fields looked up in the table: by name, by input, in order.
+
+use crate::field::{Key, Section};
+use crate::fields;
+use depth_core::problem::Field;
+use serde::{Deserialize, Deserializer};
+use std::cmp::Ordering;
+
+impl Key {
+    /// The key that is written `name`, if there is one.
+    pub fn named(name: &str) -> Option<Self> {
+        fields::TABLE.iter().copied().find(|key| key.as_str() == name)
+    }
+
+    /// The fields of the form, in reading order.
+    pub fn form() -> impl Iterator<Item = Self> {
+        fields::TABLE.iter().copied().filter(|key| key.section.is_some())
+    }
+
+    fn position(self) -> usize {
+        fields::TABLE.iter().position(|&key| key == self).unwrap_or(usize::MAX)
+    }
+}
+
+impl Section {
+    /// Its fields, in reading order.
+    pub fn keys(self) -> impl Iterator<Item = Key> {
+        Key::form().filter(move |key| key.section == Some(self))
+    }
+}
+
+impl From<Field> for Key {
+    fn from(field: Field) -> Self {
+        match field {
+            Field::FocalLength => fields::FOCAL_LENGTH,
+            Field::Baseline => fields::BASELINE,
+            Field::Disparity => fields::DISPARITY,
+            Field::Doffs => fields::DOFFS,
+            Field::ImageWidth => fields::IMAGE_WIDTH,
+            Field::RealWidth => fields::REAL_WIDTH,
+        }
+    }
+}
+
+/// In the order of the table, which is that of the form.
+impl Ord for Key {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.position().cmp(&other.position())
+    }
+}
+
+impl PartialOrd for Key {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<'de> Deserialize<'de> for Key {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        Self::named(&name).ok_or_else(|| serde::de::Error::custom("no such field"))
+    }
+}

@@ -1,0 +1,208 @@
+//! Something to say at a field ([`Note`]): what is wrong or looks wrong ([`Issue`]), how bad it is, and what would mend it.
+//! The sentences are in [`sentences`](crate::sentences).
+
+use crate::entry::Entry;
+use crate::field::Key;
+use crate::unit::Unit;
+use crate::variants::variants;
+use depth_core::disparity::NoDisparity;
+use depth_core::problem::Method;
+use depth_core::q_matrix::Expected;
+use depth_core::quantity::LengthUnit;
+
+/// How bad a note is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Severity {
+    /// Used, but looks like a slip.
+    Warning,
+    /// Cannot be used.
+    Error,
+}
+
+/// What of a field a note is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Part {
+    /// The value.
+    Value,
+    /// Its uncertainty.
+    Sigma,
+}
+
+/// Something to say at a field.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Note {
+    /// Where.
+    pub key: Key,
+    /// At the value or at its σ.
+    pub part: Part,
+    /// How bad.
+    pub severity: Severity,
+    /// What is wrong; its `Display` is the sentence.
+    pub issue: Issue,
+    /// Corrections that one click makes.
+    pub fixes: Vec<Fix>,
+}
+
+impl Note {
+    /// An error at the value of the field `key`.
+    pub const fn error(key: Key, issue: Issue) -> Self {
+        Self {
+            key,
+            part: Part::Value,
+            severity: Severity::Error,
+            issue,
+            fixes: Vec::new(),
+        }
+    }
+
+    /// An error at the σ of the field `key`.
+    pub const fn of_sigma(key: Key, issue: Issue) -> Self {
+        Self {
+            key,
+            part: Part::Sigma,
+            severity: Severity::Error,
+            issue,
+            fixes: Vec::new(),
+        }
+    }
+
+    /// A warning at the value of the field `key`.
+    pub const fn warning(key: Key, issue: Issue) -> Self {
+        Self {
+            key,
+            part: Part::Value,
+            severity: Severity::Warning,
+            issue,
+            fixes: Vec::new(),
+        }
+    }
+
+    /// The same with the corrections `fixes`.
+    #[must_use]
+    pub fn with_fixes(self, fixes: Vec<Fix>) -> Self {
+        Self { fixes, ..self }
+    }
+
+    /// The sentence.
+    pub fn message(&self) -> String {
+        self.issue.to_string()
+    }
+}
+
+/// A correction offered beside a note.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fix {
+    /// What to write on its button behind "Use": the number with its unit.
+    pub value: String,
+    /// What the field becomes; its σ stays.
+    pub entry: Entry,
+}
+
+impl Fix {
+    /// The text of its button.
+    pub fn label(&self) -> String {
+        format!("Use {}", self.value)
+    }
+}
+
+variants! {
+    /// What is wrong with what was typed.
+    #[derive(Clone, Debug, PartialEq)]
+    pub enum Issue {
+        /// There is no number in the text.
+        NotANumber { key: Key, text: String },
+        /// What follows the number is no unit, or none of this field.
+        UnknownUnit { key: Key, unit: String },
+        /// It has several separators, and no way to read them.
+        SeveralSeparators { text: String },
+        /// It has separators that some countries read in another way.
+        UnusualSeparators { text: String, reading: String },
+        /// It can be read in two ways.
+        TwoReadings { text: String, many: String, few: String },
+        /// A length where pixels are counted.
+        LengthForPixels { key: Key, text: String, unit: Unit },
+        /// Pixels where a length belongs.
+        PixelsForLength { key: Key },
+        /// A number with decimals where things are counted.
+        NotWhole { key: Key, text: String },
+        /// Zero, where that means nothing.
+        Zero { key: Key },
+        /// Below zero, where that means nothing.
+        Negative { key: Key },
+        /// A number that is too large or too small, by itself or in what would follow from it.
+        TooExtreme { key: Key, text: String },
+        /// A disparity of zero.
+        ZeroDisparity,
+        /// A disparity below zero.
+        NegativeDisparity,
+        /// A disparity that is not above zero together with doffs.
+        DisparityWithDoffs,
+        /// Outside the usual range.
+        Unusual { key: Key },
+        /// Outside the usual range, but not with another unit.
+        UnusualUnit { key: Key, number: String, unit: LengthUnit, better: LengthUnit },
+
+        /// A σ that could mean more than one number.
+        SigmaTwoReadings { key: Key, text: String },
+        /// A σ with a unit that does not exist.
+        SigmaUnknownUnit { key: Key, text: String },
+        /// A σ with a unit that the field does not have.
+        SigmaWrongUnit { key: Key, text: String },
+        /// A σ with a unit and a percent sign.
+        SigmaUnitAndPercent { key: Key, text: String },
+        /// A σ that is no number.
+        SigmaNotANumber { key: Key, text: String },
+        /// A σ below zero.
+        SigmaNegative { key: Key, text: String },
+        /// A σ that cannot be represented.
+        SigmaTooLarge { key: Key, text: String },
+        /// A σ that is out of all proportion to its value.
+        SigmaOutOfProportion,
+
+        /// What a method that was begun still needs.
+        Missing { key: Key, method: Method },
+        /// Nothing was typed yet.
+        MissingFocalLength,
+        /// There is only a focal length.
+        MissingMethod,
+        /// What the equation to be solved needs.
+        MissingForUnknown { key: Key },
+        /// The distance, where something else is solved for.
+        MissingDistance,
+        /// A distance that is no length above zero.
+        NotADistance { text: String },
+        /// A distance in pixels.
+        DistanceInPixels,
+        /// The equation has no solution that can be represented.
+        NoSolution,
+
+        /// A target that is turned so far that it shows no width.
+        TiltTooLarge,
+        /// A row whose ray never meets the floor.
+        AboveHorizon,
+        /// A ray that points straight down or backwards.
+        BelowCamera,
+        /// A height, a focal length or a σ that makes no sense.
+        UnusableGround,
+        /// A distance along the floor that cannot be represented.
+        GroundTooExtreme,
+
+        /// Numbers that give no focal length.
+        NoFocalLength,
+        /// A minDisparity that is not a small whole number.
+        MinDisparityNotWhole,
+        /// A number of sub-pixel bits that does not exist.
+        WrongSubpixelBits,
+        /// A stored value that stands for no disparity.
+        NotADisparity { reason: NoDisparity },
+
+        /// A Q matrix with too few or too many numbers.
+        QMatrixCount { found: usize },
+        /// A word in a Q matrix that is no finite number.
+        QMatrixNumber { text: String },
+        /// A matrix that is no Q matrix, counted from row and column 1.
+        QMatrixEntry { row: usize, column: usize, expected: Expected, found: f64 },
+        /// A Q matrix of swapped images.
+        QMatrixSwapped,
+    }
+}

@@ -1,0 +1,7 @@
+//! Numbers as people type and read them.
+
+mod read;
+mod write;
+
+pub use read::{NumberError, Typed, read};
+pub use write::{NO_NUMBER, exact, magnitude, plain, significant, to_decimals};

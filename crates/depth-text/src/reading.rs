@@ -1,0 +1,166 @@
+//! The one reader of what is typed into a field: text to a number in the base unit ([`Reading`]), or a [`Note`].
+//!
+//! A unit that was typed is converted or refused, never dropped, and a σ that cannot be read is a note, never zero.
+
+use crate::entry::Entry;
+use crate::field::{Key, Kind};
+use crate::note::{Fix, Issue, Note};
+use crate::number::{self, NumberError, Typed};
+use crate::unit::Unit;
+
+/// What a field means.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    /// The field.
+    pub key: Key,
+    /// The number as typed.
+    pub number: f64,
+    /// The number as it was typed, without its unit.
+    pub number_text: String,
+    /// The unit that holds: the one typed behind the number, else the one chosen beside it, else that of the field;
+    /// `None` where there are no units.
+    pub unit: Option<Unit>,
+    /// The value in the base unit: pixels, meters, radians, or the number itself.
+    pub value: f64,
+    /// σ in the base unit, where one was typed and can be used.
+    pub sigma: Option<f64>,
+}
+
+impl Reading {
+    /// "10 cm": the number as typed, with its unit.
+    pub fn text(&self) -> String {
+        let symbol = self.unit.map_or("", Unit::symbol);
+        format!("{} {symbol}", self.number_text).trim_end().to_owned()
+    }
+}
+
+/// Reads the value in `entry` of the field `key`; `None` where nothing was typed. The σ is left to [`read_sigma`].
+///
+/// # Errors
+/// What is wrong with it, with corrections where there are some.
+pub fn read(key: Key, entry: &Entry) -> Result<Option<Reading>, Note> {
+    if entry.is_blank() {
+        return Ok(None);
+    }
+    let typed = number::read(&entry.text).map_err(|error| unreadable(key, entry, error))?;
+    let unit = match typed.unit {
+        None => entry.chosen_unit(key),
+        Some(unit) if key.kind.reads(unit) => Some(unit),
+        Some(unit) => return Err(Note::error(key, wrong_unit(key, entry, typed, unit))),
+    };
+    if key.kind == Kind::Count && typed.number.fract() != 0.0 {
+        let text = entry.text.clone();
+        return Err(Note::error(key, Issue::NotWhole { key, text }));
+    }
+    let value = unit.map_or(typed.number, |unit| unit.to_base(typed.number));
+    // A number that only the change of unit pushes out of range is too extreme, not zero.
+    if !value.is_normal() && value.to_bits() != typed.number.to_bits() {
+        let text = entry.text.clone();
+        return Err(Note::error(key, Issue::TooExtreme { key, text }));
+    }
+    Ok(Some(Reading {
+        key,
+        number: typed.number,
+        number_text: typed.number_text.to_owned(),
+        unit,
+        value,
+        sigma: None,
+    }))
+}
+
+/// Reads the σ in `entry` of the field `key` into its base unit; `None` where there is none, or where it is in % of a value
+/// that is not known.
+///
+/// A bare σ has the unit of the value, `unit`; one in % is of `value`, in the base unit.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn read_sigma(key: Key, entry: &Entry, unit: Option<Unit>, value: Option<f64>) -> Result<Option<f64>, Note> {
+    let text = sigma_text(entry);
+    if text.is_empty() {
+        return Ok(None);
+    }
+    let quote = || text.to_owned();
+    let wrong = |issue: Issue| Err(Note::of_sigma(key, issue));
+    let (number_text, percent) = text.strip_suffix('%').map_or((text, false), |number| (number, true));
+    let typed = match number::read(number_text) {
+        Ok(typed) => typed,
+        Err(NumberError::Ambiguous { .. }) => return wrong(Issue::SigmaTwoReadings { key, text: quote() }),
+        Err(NumberError::UnknownUnit(_)) => return wrong(Issue::SigmaUnknownUnit { key, text: quote() }),
+        Err(NumberError::NotANumber | NumberError::TooExtreme) => return wrong(Issue::SigmaNotANumber { key, text: quote() }),
+    };
+    if typed.number < 0.0 {
+        return wrong(Issue::SigmaNegative { key, text: quote() });
+    }
+    let sigma = match (typed.unit, percent, value) {
+        (Some(_), true, _) => return wrong(Issue::SigmaUnitAndPercent { key, text: quote() }),
+        (None, true, None) => return Ok(None),
+        (None, true, Some(value)) => typed.number / 100.0 * value.abs(),
+        (Some(unit), false, _) if key.kind.reads(unit) => unit.to_base(typed.number),
+        (Some(_), false, _) => return wrong(Issue::SigmaWrongUnit { key, text: quote() }),
+        (None, false, _) => unit.map_or(typed.number, |unit| unit.to_base(typed.number)),
+    };
+    if sigma.is_finite() {
+        Ok(Some(sigma))
+    } else {
+        wrong(Issue::SigmaTooLarge { key, text: quote() })
+    }
+}
+
+/// Reads value and σ of the field `key`; `None` where there is no value.
+///
+/// # Errors
+/// What is wrong with either.
+pub fn read_with_sigma(key: Key, entry: &Entry) -> Result<Option<Reading>, Note> {
+    let reading = read(key, entry)?;
+    let unit = reading.as_ref().map_or_else(|| entry.chosen_unit(key), |reading| reading.unit);
+    let sigma = read_sigma(key, entry, unit, reading.as_ref().map(|reading| reading.value))?;
+    Ok(reading.map(|reading| Reading { sigma, ..reading }))
+}
+
+/// What was typed for σ, without the sign in front of it.
+pub fn sigma_text(entry: &Entry) -> &str {
+    entry.sigma.trim().trim_start_matches('±').trim()
+}
+
+fn wrong_unit(key: Key, entry: &Entry, typed: Typed<'_>, unit: Unit) -> Issue {
+    match (key.kind, unit) {
+        (Kind::Pixels, Unit::Length(_)) => Issue::LengthForPixels {
+            key,
+            text: entry.text.clone(),
+            unit,
+        },
+        (Kind::Length(_) | Kind::Pitch, Unit::Pixel) => Issue::PixelsForLength { key },
+        _ => Issue::UnknownUnit {
+            key,
+            unit: typed.unit_text.to_owned(),
+        },
+    }
+}
+
+fn unreadable(key: Key, entry: &Entry, error: NumberError) -> Note {
+    let text = entry.text.clone();
+    let readings = match error {
+        NumberError::NotANumber => return Note::error(key, Issue::NotANumber { key, text }),
+        NumberError::TooExtreme => return Note::error(key, Issue::TooExtreme { key, text }),
+        NumberError::UnknownUnit(unit) => return Note::error(key, Issue::UnknownUnit { key, unit }),
+        NumberError::Ambiguous { readings } => readings,
+    };
+    let issue = match readings.as_slice() {
+        [] => Issue::SeveralSeparators { text },
+        [one] => Issue::UnusualSeparators {
+            text,
+            reading: one.clone(),
+        },
+        [many, few, ..] => Issue::TwoReadings {
+            text,
+            many: many.clone(),
+            few: few.clone(),
+        },
+    };
+    let fixes = readings.into_iter().map(|reading| Fix {
+        value: reading.clone(),
+        entry: Entry::new(reading, entry.unit),
+    });
+    Note::error(key, issue).with_fixes(fixes.collect())
+}

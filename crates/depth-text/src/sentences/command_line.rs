@@ -1,0 +1,54 @@
+//! What only the command line says.
+
+use crate::variants::variants;
+use std::fmt::{self, Display, Formatter};
+
+variants! {
+    /// A sentence of the command line. Options are named without their dashes.
+    #[derive(Clone, Debug, PartialEq, Eq)]
+    pub enum CommandLine {
+        /// An option was given with nothing in it.
+        EmptyOption { option: String },
+        /// Neither method is complete. For each way: the options that it lacks, and the name of its method.
+        NoDistance { ways: Vec<(Vec<String>, &'static str)> },
+        /// A program without a window was called without a command.
+        NoCommand,
+        /// The answer could not be written.
+        NotWritten { reason: String },
+        /// doffs was given, but no stereo distance was asked for.
+        UnusedDoffs,
+        /// A σ was given without its value.
+        UnusedSigma { option: String },
+    }
+}
+
+impl Display for CommandLine {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::EmptyOption { option } => write!(f, "--{option} is empty: give it a value or leave it out."),
+            Self::NoDistance { ways } => {
+                let ways: Vec<String> = ways
+                    .iter()
+                    .map(|(options, method)| format!("{} for the {} distance", enumerated(options), method.to_lowercase()))
+                    .collect();
+                write!(f, "No distance can be computed. Add {} (see --help).", ways.join(", or "))
+            }
+            Self::NoCommand => f.write_str(
+                "Without a window a command is needed, such as: depth-calculator calculate --fx 700 --baseline 100mm --disparity 50",
+            ),
+            Self::NotWritten { reason } => write!(f, "The answer could not be written: {reason}."),
+            Self::UnusedDoffs => f.write_str("Not used: it belongs to the stereo distance, which needs --baseline and --disparity."),
+            Self::UnusedSigma { option } => write!(f, "Not used without --{option}."),
+        }
+    }
+}
+
+/// "--a", "--a and --b", "--a, --b and --c"
+fn enumerated(options: &[String]) -> String {
+    let options: Vec<String> = options.iter().map(|option| format!("--{option}")).collect();
+    match options.as_slice() {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}

@@ -1,0 +1,13 @@
+//! Every sentence that refuses, warns, hints or judges, as the `Display` of an enum with its facts: what people type
+//! ([`Issue`](crate::note::Issue)), what follows from it ([`Statement`]), and what only the command line says ([`CommandLine`]).
+//!
+//! All of them are shown by the snapshots in `tests/sentences` of the program.
+
+mod command_line;
+mod issue;
+mod statement;
+mod words;
+
+pub use command_line::CommandLine;
+pub use statement::Statement;
+pub use words::{capital, quoted};

@@ -1,0 +1,202 @@
+//! What follows from the numbers: whether two distances agree, what to look at if not, and how good a description is.
+
+use super::words::capital;
+use crate::field::Key;
+use crate::number::{plain, significant};
+use crate::variants::variants;
+use depth_core::agreement::{Agreement, Suspect, Verdict};
+use depth_core::problem::{Method, Solution};
+use depth_core::quantity::LengthUnit;
+use std::fmt::{self, Display, Formatter};
+
+variants! {
+    /// A sentence about results.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub enum Statement {
+        /// The stated uncertainties explain the difference of so many σ.
+        Agree { z: Option<f64> },
+        /// The difference is large.
+        HardlyAgree { z: Option<f64> },
+        /// The difference is too large.
+        Disagree { z: Option<f64> },
+        /// Nothing but the shared focal length has a σ.
+        CannotJudge { stereo_over_monocular: Option<f64> },
+
+        /// The disparity may be a stored fixed-point number.
+        RawDisparity { scale: f64 },
+        /// A length may be in another unit.
+        UnitSlip { key: Key, taken: LengthUnit, meant: LengthUnit },
+        /// Pixels may have been counted in a resized image.
+        OtherSize { key: Key, times: f64 },
+        /// An input without σ.
+        NoSigma { key: Key },
+        /// The input with the largest σ.
+        LargestSigma { key: Key },
+
+        /// The widths are what the stereo distance predicts.
+        WidthsAgree,
+        /// The widths are off by this fraction.
+        WidthsDiffer { off: f64 },
+        /// A width is missing.
+        WidthsNeeded,
+        /// Without a stereo distance there is nothing to check.
+        WidthsRepeat,
+        /// Neither distance is there.
+        WidthsCheck,
+
+        /// σ alone would mislead; the interval does not, nor does the simulation where there is one.
+        FirstOrderIsPoor { has_simulation: bool },
+    }
+}
+
+impl Statement {
+    /// Whether both distances agree.
+    pub const fn agreement(agreement: &Agreement) -> Self {
+        let z = agreement.z;
+        match agreement.verdict {
+            Some(Verdict::Agree) => Self::Agree { z },
+            Some(Verdict::Doubtful) => Self::HardlyAgree { z },
+            Some(Verdict::Disagree) => Self::Disagree { z },
+            None => Self::CannotJudge {
+                stereo_over_monocular: agreement.ratio,
+            },
+        }
+    }
+
+    /// What a suspect is suspected of.
+    pub fn suspect(suspect: &Suspect) -> Self {
+        match *suspect {
+            Suspect::RawDisparity { scale } => Self::RawDisparity { scale },
+            Suspect::Unit { source, taken, meant } => Self::UnitSlip {
+                key: source.into(),
+                taken,
+                meant,
+            },
+            Suspect::Resized { source, times } => Self::OtherSize { key: source.into(), times },
+            Suspect::NoSigma(source) => Self::NoSigma { key: source.into() },
+            Suspect::LargestSigma(source) => Self::LargestSigma { key: source.into() },
+        }
+    }
+
+    /// How far the entered widths are off what the stereo distance predicts, or what would be needed to know.
+    pub fn widths(solution: &Solution) -> Self {
+        let has = |method| solution.outcome(method).distance().is_some();
+        match solution.width_discrepancy() {
+            Some(off) if off.abs() < 0.0005 => Self::WidthsAgree,
+            Some(off) => Self::WidthsDiffer { off },
+            None if has(Method::Stereo) => Self::WidthsNeeded,
+            None if has(Method::Monocular) => Self::WidthsRepeat,
+            None => Self::WidthsCheck,
+        }
+    }
+}
+
+impl Display for Statement {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Agree { z } => write!(f, "Stereo and monocular agree within their uncertainties{}.", apart(z)),
+            Self::HardlyAgree { z } => write!(
+                f,
+                "Stereo and monocular hardly agree{}: one case in twenty, if the uncertainties are right.",
+                apart(z)
+            ),
+            Self::Disagree { z } => write!(
+                f,
+                "Stereo and monocular disagree{}: an input or its uncertainty is wrong.",
+                apart(z)
+            ),
+            Self::CannotJudge { stereo_over_monocular } => {
+                f.write_str("Only the shared focal length has an uncertainty, so agreement cannot be judged")?;
+                match stereo_over_monocular {
+                    Some(ratio) => write!(f, "; stereo is {} times monocular.", significant(ratio, 4)),
+                    None => f.write_str("."),
+                }
+            }
+            Self::RawDisparity { .. }
+            | Self::UnitSlip { .. }
+            | Self::OtherSize { .. }
+            | Self::NoSigma { .. }
+            | Self::LargestSigma { .. } => suspicion(*self, f),
+            Self::WidthsAgree => {
+                f.write_str("Computed from the stereo distance, as a check: both widths agree with what you entered to within 0.1 %.")
+            }
+            Self::WidthsDiffer { off } => write!(
+                f,
+                "Computed from the stereo distance, as a check. The width you entered in the image is {} % {} than they predict; so is the real width.",
+                significant(off.abs() * 100.0, 2),
+                if off > 0.0 { "larger" } else { "smaller" }
+            ),
+            Self::WidthsNeeded => {
+                f.write_str("Computed from the stereo distance. Enter both widths to check one method against the other.")
+            }
+            Self::WidthsRepeat => f.write_str(
+                "Without a stereo distance these only repeat what you entered. Enter a baseline and a disparity to make them a check.",
+            ),
+            Self::WidthsCheck => f.write_str("Computed from the stereo distance, as a check on the widths you entered."),
+            Self::FirstOrderIsPoor { has_simulation: true } => f.write_str(
+                "The pixels are known to worse than 10 %: ± σ is a poor description here, the interval and the simulation are right.",
+            ),
+            Self::FirstOrderIsPoor { has_simulation: false } => {
+                f.write_str("The pixels are known to worse than 10 %: plus or minus σ is a poor description here, the interval is right.")
+            }
+        }
+    }
+}
+
+fn suspicion(statement: Statement, f: &mut Formatter<'_>) -> fmt::Result {
+    match statement {
+        Statement::RawDisparity { scale } => write!(
+            f,
+            "Was the disparity divided by {}? {}",
+            plain(scale),
+            if scale == 16.0 {
+                "StereoBM and StereoSGBM store sixteenths of a pixel."
+            } else {
+                "Some files store fixed-point numbers."
+            }
+        ),
+        Statement::UnitSlip { key, taken, meant } => write!(
+            f,
+            "Is {} really in {}? In {} the two would agree.",
+            key.noun,
+            taken.name(),
+            meant.name()
+        ),
+        Statement::OtherSize { key, times } => write!(
+            f,
+            "Was {} counted in an image of another size ({} times) than the focal length belongs to?",
+            key.noun,
+            plain(times)
+        ),
+        Statement::NoSigma { key } => write!(f, "{} is taken to be exact. How well is it known?", capital(key.noun)),
+        Statement::LargestSigma { key } => write!(f, "{} has the largest uncertainty: measure it again.", capital(key.noun)),
+        _ => Ok(()),
+    }
+}
+
+/// " (1.6 σ apart)"
+fn apart(z: Option<f64>) -> String {
+    z.map_or_else(String::new, |z| {
+        // What is left of a difference by rounding is none.
+        let z = if z < 10.0 { format!("{z:.1}") } else { significant(z, 2) };
+        format!(" ({z} σ apart)")
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distances_that_only_rounding_tells_apart_are_not_apart() {
+        for (z, expected) in [(5e-15, "(0.0 σ apart)"), (1.56, "(1.6 σ apart)"), (12.3, "(12 σ apart)")] {
+            let sentence = Statement::agreement(&Agreement {
+                ratio: Some(1.0),
+                z: Some(z),
+                verdict: Some(Verdict::of(z)),
+            })
+            .to_string();
+            assert!(sentence.contains(expected), "{sentence}");
+        }
+    }
+}

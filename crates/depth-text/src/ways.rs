@@ -1,0 +1,281 @@
+//! The ways to a number that is not known as such: a focal length from a lens, a field of view or a photograph; a disparity
+//! or doffs from what a program stored.
+//!
+//! A [`Way`] is a row of a table: which fields it asks for, what it computes from their readings, and which field takes the
+//! result. Typed units count: a pixel pitch may be in µm or mm.
+
+use crate::entry::{Entries, Entry};
+use crate::field::Key;
+use crate::fields::{self, DISPARITY, DOFFS, FOCAL_LENGTH, FRAME_HEIGHT, FRAME_WIDTH, LENS, STORED_VALUE};
+use crate::note::{Issue, Note};
+use crate::number::plain;
+use crate::reading;
+use depth_core::angle::Angle;
+use depth_core::camera;
+use depth_core::disparity::{self, Encoding, SubpixelBits};
+use depth_core::measured::Measured;
+use depth_core::quantity::{Length, Pixels};
+
+/// One way to a number.
+#[derive(Clone, Copy, Debug)]
+pub struct Way {
+    /// Its name in what is stored. Never changes.
+    pub key: &'static str,
+    /// The name people choose it by.
+    pub name: &'static str,
+    /// The formula, and what to watch out for.
+    pub remark: &'static str,
+    /// The fields it asks for.
+    pub asks: &'static [Key],
+    /// The field that takes the result.
+    pub target: Key,
+    /// The result in px from the values of `asks`, in their order and in their base units.
+    compute: fn(&[f64]) -> Result<f64, Issue>,
+}
+
+impl Way {
+    /// The result in px; `None` while something is missing.
+    ///
+    /// # Errors
+    /// What is wrong with a field, or, at the first of them, with all of them together.
+    pub fn compute(&self, entries: &Entries) -> Result<Option<f64>, Note> {
+        let mut values = Vec::new();
+        for &key in self.asks {
+            values.extend(reading::read(key, entries.entry(key))?.map(|reading| reading.value));
+        }
+        if values.len() < self.asks.len() {
+            return Ok(None);
+        }
+        let at = self.asks.first().copied().unwrap_or(self.target);
+        let value = (self.compute)(&values).map_err(|issue| Note::error(at, issue))?;
+        Ok(Some(value).filter(|value| value.is_finite()))
+    }
+
+    /// What [`target`](Self::target) becomes with the result `value`.
+    pub fn entry(&self, value: f64) -> Entry {
+        Entry::new(plain(value), None)
+    }
+
+    /// The way among `ways` that is stored as `key`.
+    pub fn named(ways: &'static [Self], key: &str) -> Option<&'static Self> {
+        ways.iter().find(|way| way.key == key)
+    }
+}
+
+/// The ways to a focal length.
+pub const FOCAL_LENGTHS: &[Way] = &[
+    Way {
+        key: "pixel-pitch",
+        name: "Lens and pixel size",
+        remark: "fx = focal length / pixel pitch. Use the pitch of the image as you have it: twice as large after 2 × 2 binning.",
+        asks: &[LENS, fields::PIXEL_PITCH],
+        target: FOCAL_LENGTH,
+        compute: |values| {
+            let [lens, pitch] = *values else { return incomplete() };
+            found(camera::focal_length_from_pixel_pitch(Length::from_m(lens), Length::from_m(pitch)))
+        },
+    },
+    Way {
+        key: "sensor-width",
+        name: "Lens and sensor width",
+        remark: "fx = focal length · image width / sensor width. An inch figure is a name, not a size: choose the format below.",
+        asks: &[LENS, fields::SENSOR_WIDTH, FRAME_WIDTH],
+        target: FOCAL_LENGTH,
+        compute: |values| {
+            let [lens, sensor, width] = *values else { return incomplete() };
+            let (lens, sensor) = (Length::from_m(lens), Length::from_m(sensor));
+            found(camera::focal_length_from_sensor_width(lens, sensor, Pixels::new(width)))
+        },
+    },
+    Way {
+        key: "horizontal-view",
+        name: "Horizontal field of view",
+        remark: "fx = (width / 2) / tan(view / 2). A datasheet often gives the view before rectification, which is wider.",
+        asks: &[fields::HORIZONTAL_VIEW, FRAME_WIDTH],
+        target: FOCAL_LENGTH,
+        compute: |values| {
+            let [view, width] = *values else { return incomplete() };
+            from_view(view, Pixels::new(width))
+        },
+    },
+    Way {
+        key: "vertical-view",
+        name: "Vertical field of view",
+        remark: "fy = (height / 2) / tan(view / 2); with square pixels fx is the same.",
+        asks: &[fields::VERTICAL_VIEW, FRAME_HEIGHT],
+        target: FOCAL_LENGTH,
+        compute: |values| {
+            let [view, height] = *values else { return incomplete() };
+            from_view(view, Pixels::new(height))
+        },
+    },
+    Way {
+        key: "diagonal-view",
+        name: "Diagonal field of view",
+        remark: "fx = ½ · √(width² + height²) / tan(view / 2).",
+        asks: &[fields::DIAGONAL_VIEW, FRAME_WIDTH, FRAME_HEIGHT],
+        target: FOCAL_LENGTH,
+        compute: |values| {
+            let [view, width, height] = *values else { return incomplete() };
+            from_view(view, camera::diagonal(Pixels::new(width), Pixels::new(height)))
+        },
+    },
+    Way {
+        key: "reference-photo",
+        name: "One reference photo",
+        remark: "fx = width in the image · distance / real width, for something of known width at a measured distance, facing the camera.",
+        asks: &[
+            fields::REFERENCE_IMAGE_WIDTH,
+            fields::REFERENCE_DISTANCE,
+            fields::REFERENCE_REAL_WIDTH,
+        ],
+        target: FOCAL_LENGTH,
+        compute: |values| {
+            let [width, distance, real] = *values else { return incomplete() };
+            let (distance, real) = (Length::from_m(distance), Length::from_m(real));
+            found(camera::focal_length_from_reference_photo(Pixels::new(width), distance, real))
+        },
+    },
+    Way {
+        key: "other-resolution",
+        name: "Same camera, other resolution",
+        remark: "Resizing scales fx and the disparity, never the baseline. Cropping changes neither: enter the width before the crop.",
+        asks: &[fields::KNOWN_FOCAL_LENGTH, fields::WIDTH_BEFORE, fields::WIDTH_AFTER],
+        target: FOCAL_LENGTH,
+        compute: |values| {
+            let [focal_length, before, after] = *values else {
+                return incomplete();
+            };
+            let px = Pixels::new;
+            found(camera::resized_focal_length(px(focal_length), px(before), px(after)))
+        },
+    },
+];
+
+/// The ways to a disparity and to doffs.
+pub const DISPARITIES: &[Way] = &[
+    Way {
+        key: "columns",
+        name: "Columns in both images",
+        remark: "d = x left − x right, in the rectified images.",
+        asks: &[fields::LEFT_COLUMN, fields::RIGHT_COLUMN],
+        target: DISPARITY,
+        compute: |values| {
+            let [left, right] = *values else { return incomplete() };
+            Ok(
+                disparity::from_columns(Measured::from_base(left, 0.0), Measured::from_base(right, 0.0))
+                    .value
+                    .px(),
+            )
+        },
+    },
+    Way {
+        key: "opencv",
+        name: "OpenCV StereoBM or StereoSGBM",
+        remark: "They store sixteenths of a pixel in 16-bit numbers; (minDisparity − 1) · 16 means that nothing was found.",
+        asks: &[STORED_VALUE, fields::MIN_DISPARITY],
+        target: DISPARITY,
+        compute: |values| {
+            let [stored, min_disparity] = *values else { return incomplete() };
+            if min_disparity.fract() != 0.0 || min_disparity.abs() > 30_000.0 {
+                return Err(Issue::MinDisparityNotWhole);
+            }
+            #[expect(clippy::cast_possible_truncation, reason = "checked to be whole and small")]
+            let min_disparity = min_disparity as i32;
+            decoded(Encoding::OpenCv { min_disparity }, stored)
+        },
+    },
+    Way {
+        key: "kitti",
+        name: "KITTI, 16-bit image",
+        remark: "It stores 256ths of a pixel; 0 means that there is none.",
+        asks: &[STORED_VALUE],
+        target: DISPARITY,
+        compute: |values| {
+            let [stored] = *values else { return incomplete() };
+            decoded(Encoding::Kitti, stored)
+        },
+    },
+    Way {
+        key: "depthai",
+        name: "DepthAI, sub-pixel",
+        remark: "With 3, 4 or 5 sub-pixel bits it stores 8ths, 16ths or 32nds of a pixel.",
+        asks: &[STORED_VALUE, fields::SUBPIXEL_BITS],
+        target: DISPARITY,
+        compute: |values| {
+            let [stored, bits] = *values else { return incomplete() };
+            let bits = match bits {
+                3.0 => SubpixelBits::Three,
+                4.0 => SubpixelBits::Four,
+                5.0 => SubpixelBits::Five,
+                _ => return Err(Issue::WrongSubpixelBits),
+            };
+            decoded(Encoding::DepthAi(bits), stored)
+        },
+    },
+    Way {
+        key: "fraction",
+        name: "Fraction of the image width",
+        remark: "Some networks give the disparity as a part of the width of the image.",
+        asks: &[fields::FRACTION, FRAME_WIDTH],
+        target: DISPARITY,
+        compute: |values| {
+            let [fraction, width] = *values else { return incomplete() };
+            let image_width = Pixels::new(width);
+            decoded(Encoding::FractionOfWidth { image_width }, fraction)
+        },
+    },
+    Way {
+        key: "zed",
+        name: "ZED, negative sign",
+        remark: "The ZED SDK gives disparities with the opposite sign.",
+        asks: &[fields::ZED_DISPARITY],
+        target: DISPARITY,
+        compute: |values| {
+            let [stored] = *values else { return incomplete() };
+            decoded(Encoding::Zed, stored)
+        },
+    },
+    Way {
+        key: "principal-points",
+        name: "doffs from both principal points",
+        remark: "doffs = cx right − cx left. Stereo then reads D = fx · b / (d + doffs). Zero for most rectified pairs.",
+        asks: &[fields::LEFT_CX, fields::RIGHT_CX],
+        target: DOFFS,
+        compute: |values| {
+            let [left, right] = *values else { return incomplete() };
+            Ok(disparity::doffs(Measured::from_base(left, 0.0), Measured::from_base(right, 0.0))
+                .value
+                .px())
+        },
+    },
+    Way {
+        key: "doffs",
+        name: "doffs as a calibration file gives it",
+        remark: "Middlebury's calib.txt has it by this name.",
+        asks: &[fields::FILE_DOFFS],
+        target: DOFFS,
+        compute: |values| {
+            let [doffs] = *values else { return incomplete() };
+            Ok(doffs)
+        },
+    },
+];
+
+/// For a number of values that no caller gives: [`Way::compute`] counts them.
+const fn incomplete() -> Result<f64, Issue> {
+    Ok(f64::NAN)
+}
+
+fn from_view(view: f64, extent: Pixels) -> Result<f64, Issue> {
+    found(camera::focal_length_from_field_of_view(Angle::from_radians(view), extent))
+}
+
+fn found(focal_length: Option<Pixels>) -> Result<f64, Issue> {
+    focal_length.map(Pixels::px).ok_or(Issue::NoFocalLength)
+}
+
+fn decoded(encoding: Encoding, stored: f64) -> Result<f64, Issue> {
+    let disparity = encoding.decode(stored).map(Pixels::px);
+    disparity.map_err(|reason| Issue::NotADisparity { reason })
+}

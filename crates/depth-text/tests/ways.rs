@@ -1,0 +1,118 @@
+//! The ways to a focal length, a disparity and doffs.
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
+
+use depth_text::entry::Entries;
+use depth_text::note::{Issue, Note};
+use depth_text::ways::{DISPARITIES, FOCAL_LENGTHS, Way};
+
+fn compute(ways: &'static [Way], name: &str, texts: &[&str]) -> Result<Option<f64>, Note> {
+    let way = ways.iter().find(|way| way.name == name).unwrap_or_else(|| panic!("{name}"));
+    assert_eq!(way.asks.len(), texts.len(), "{name}");
+    let mut entries = Entries::default();
+    for (&key, &text) in way.asks.iter().zip(texts) {
+        entries.entry_mut(key).text = text.into();
+    }
+    way.compute(&entries)
+}
+
+/// Golden figures: the web page's f_mm / pixel pitch; OpenCV's `calibrationMatrixValues` (2.625 mm on 4.8 mm with
+/// 1280 px is 700 px); the vendor's OAK-D Lite (73° on 640 px is 432.5 px); the mug; the D435i's 0.6 scale.
+#[test]
+fn focal_lengths_come_out_as_published() {
+    for (name, texts, expected) in [
+        ("Lens and pixel size", &["4", "3"][..], 1333.333),
+        ("Lens and sensor width", &["2.625", "4.8", "1280"], 700.0),
+        ("Horizontal field of view", &["73", "640"], 432.45),
+        ("Vertical field of view", &["54.093788", "720"], 705.0),
+        ("Diagonal field of view", &["90", "800", "600"], 500.0),
+        ("One reference photo", &["150", "1.4", "0.3"], 700.0),
+        ("Same camera, other resolution", &["631.343", "1280", "768"], 378.806),
+    ] {
+        let got = compute(FOCAL_LENGTHS, name, texts).unwrap().unwrap();
+        // The vertical one has its principal point 10 px off the center in the source.
+        let tolerance = if name.starts_with("Vertical") { 1e-3 } else { 2e-4 };
+        assert!((got / expected - 1.0).abs() < tolerance, "{name}: {got}");
+    }
+}
+
+#[test]
+fn every_way_to_the_mug_s_fifty_pixels() {
+    for (name, texts) in [
+        ("Columns in both images", &["660", "610"][..]),
+        ("OpenCV StereoBM or StereoSGBM", &["800", "0"]),
+        ("KITTI, 16-bit image", &["12800"]),
+        ("DepthAI, sub-pixel", &["400", "3"]),
+        ("Fraction of the image width", &["0.0390625", "1280"]),
+        ("ZED, negative sign", &["-50"]),
+    ] {
+        assert_eq!(compute(DISPARITIES, name, texts), Ok(Some(50.0)), "{name}");
+    }
+    assert_eq!(
+        compute(DISPARITIES, "doffs from both principal points", &["610", "650"]),
+        Ok(Some(40.0))
+    );
+    assert_eq!(
+        compute(DISPARITIES, "doffs as a calibration file gives it", &["131.1 px"]),
+        Ok(Some(131.1))
+    );
+}
+
+/// The same numbers in other units: once these units were dropped, and 4 cm were taken for 4 mm.
+#[test]
+fn units_that_were_typed_are_converted_or_refused() {
+    for (name, bare, with_units) in [
+        ("Lens and pixel size", &["4", "3"][..], &["0.4 cm", "0.003 mm"][..]),
+        ("Lens and pixel size", &["4", "3"], &["4 mm", "3 µm"]),
+        ("Lens and sensor width", &["2.54", "4.8", "1280"], &["0.1 in", "0.48 cm", "1280 px"]),
+        ("Horizontal field of view", &["57.29577951308232", "640"], &["1 rad", "640px"]),
+        ("One reference photo", &["150", "1.4", "0.3"], &["150 px", "140 cm", "300mm"]),
+    ] {
+        let (bare, with_units) = (compute(FOCAL_LENGTHS, name, bare), compute(FOCAL_LENGTHS, name, with_units));
+        let (bare, with_units) = (bare.unwrap().unwrap(), with_units.unwrap().unwrap());
+        assert!((bare / with_units - 1.0).abs() < 1e-15, "{name}: {bare} and {with_units}");
+    }
+    for (name, texts) in [
+        ("Lens and pixel size", &["4 px", "3"][..]),
+        ("Lens and pixel size", &["4", "3 px"]),
+        ("Horizontal field of view", &["73 px", "640"]),
+        ("Horizontal field of view", &["73", "640°"]),
+        ("Horizontal field of view", &["73 C", "640"]),
+    ] {
+        assert!(compute(FOCAL_LENGTHS, name, texts).is_err(), "{name} {texts:?}");
+    }
+    assert!(compute(DISPARITIES, "KITTI, 16-bit image", &["12800 px"]).is_err());
+}
+
+#[test]
+fn nothing_is_said_while_something_is_missing() {
+    assert_eq!(compute(FOCAL_LENGTHS, "Lens and pixel size", &["4", ""]), Ok(None));
+    assert_eq!(compute(FOCAL_LENGTHS, "Lens and pixel size", &["", "0"]), Ok(None));
+}
+
+#[test]
+fn invalid_values_of_opencv_are_recognized_for_the_min_disparity_given() {
+    for (stored, min_disparity) in [("-16", "0"), ("240", "16"), ("-272", "-16")] {
+        let note = compute(DISPARITIES, "OpenCV StereoBM or StereoSGBM", &[stored, min_disparity]).unwrap_err();
+        assert!(note.message().contains("found nothing"), "{note:?}");
+    }
+}
+
+#[test]
+fn numbers_that_give_no_focal_length_are_refused_in_words() {
+    for (name, texts) in [
+        ("Horizontal field of view", &["180", "640"][..]),
+        ("Lens and pixel size", &["0", "3"]),
+    ] {
+        assert_eq!(compute(FOCAL_LENGTHS, name, texts).unwrap_err().issue, Issue::NoFocalLength);
+    }
+}
+
+#[test]
+fn no_two_ways_share_a_key() {
+    for ways in [FOCAL_LENGTHS, DISPARITIES] {
+        for way in ways {
+            assert_eq!(ways.iter().filter(|other| other.key == way.key).count(), 1, "{}", way.name);
+            assert_eq!(Way::named(ways, way.key).unwrap().name, way.name);
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! Every field of the table, through everything that is made from the table: a field added there needs no other edit, and
+//! none of these can forget it.
+
+use super::{run, run_words};
+use depth_calculator::core::quantity::LengthUnit;
+use depth_calculator::formats::entry::{Entries, Entry};
+use depth_calculator::formats::export::{Exporter as _, Results, Text};
+use depth_calculator::formats::field::{Key, Kind};
+use depth_calculator::formats::fields::TABLE;
+use depth_calculator::formats::inputs::Inputs;
+use depth_calculator::formats::link;
+use depth_calculator::formats::reading::{read, read_with_sigma};
+use depth_calculator::formats::unit::Unit;
+
+/// Every unit, with the words for it.
+const UNITS: [(Unit, &[&str]); 9] = [
+    (Unit::Pixel, &["px", "pixels"]),
+    (Unit::Length(LengthUnit::Millimetre), &["mm", "millimeters"]),
+    (Unit::Length(LengthUnit::Centimetre), &["cm", "centimeter"]),
+    (Unit::Length(LengthUnit::Metre), &["m", "meters"]),
+    (Unit::Length(LengthUnit::Inch), &["in", "\""]),
+    (Unit::Length(LengthUnit::Foot), &["ft", "feet"]),
+    (Unit::Micrometer, &["µm", "μm", "um", "microns"]),
+    (Unit::Degree, &["°", "deg", "degrees"]),
+    (Unit::Radian, &["rad", "radians"]),
+];
+
+/// The fields with a number in them.
+fn numbers() -> impl Iterator<Item = Key> {
+    TABLE.iter().copied().filter(|key| key.kind != Kind::Text)
+}
+
+/// Something that differs from field to field.
+fn some_number(key: Key) -> String {
+    let position = TABLE.iter().position(|&other| other == key).unwrap();
+    format!("{}", 20 + position)
+}
+
+/// What is typed into the field: a number, the unit chosen beside it, a σ.
+fn filled(key: Key) -> Entry {
+    Entry {
+        text: some_number(key),
+        unit: key.is_length().then_some(LengthUnit::Inch),
+        sigma: if key.has_sigma { "1 %".into() } else { String::new() },
+    }
+}
+
+#[test]
+fn every_field_is_stored_under_its_key() {
+    let mut entries = Entries::default();
+    for &key in TABLE {
+        *entries.entry_mut(key) = filled(key);
+    }
+    let stored = serde_json::to_value(&entries).unwrap();
+    for &key in TABLE {
+        assert_eq!(stored[key.as_str()]["text"], some_number(key), "{key:?}");
+    }
+    assert_eq!(serde_json::from_value::<Entries>(stored.clone()).unwrap(), entries);
+    // One that is not known any more is left out, and takes nothing with it.
+    let mut later = stored;
+    later["no-such-field"] = serde_json::json!({ "text": "1" });
+    assert_eq!(serde_json::from_value::<Entries>(later).unwrap(), entries);
+}
+
+/// The form with every field filled in.
+fn form() -> Inputs {
+    let mut inputs = Inputs {
+        with_uncertainty: true,
+        ..Inputs::default()
+    };
+    for key in Key::form() {
+        *inputs.entry_mut(key) = filled(key);
+    }
+    inputs
+}
+
+#[test]
+fn every_field_of_the_form_is_in_its_assessment_its_link_and_its_report() {
+    let inputs = form();
+    let assessment = inputs.assess();
+    let fragment = link::fragment(&inputs, &assessment);
+    let report = Text.export(&Results {
+        inputs: &inputs,
+        assessment: &assessment,
+        unit: LengthUnit::Metre,
+    });
+    let mut back = Inputs::default();
+    assert!(link::apply(&fragment, &mut back));
+    for key in Key::form() {
+        let reading = assessment.reading(key).unwrap();
+        assert_eq!(reading.number_text, some_number(key), "{key:?}");
+        assert_eq!(back.entry(key).text, some_number(key), "{key:?} in {fragment}");
+        assert_eq!(back.entry(key).unit, inputs.entry(key).unit, "{key:?} in {fragment}");
+        let line = format!("  {}: {} ± 1 %", key.name, reading.text());
+        assert!(report.lines().any(|candidate| candidate == line), "{line:?} is not in\n{report}");
+        if let Some(field) = key.input {
+            assert_eq!(assessment.solution.problem.get(field), Some(reading.value), "{key:?}");
+        }
+    }
+}
+
+#[test]
+fn every_field_of_the_form_has_its_options_with_their_help_completion_and_manual() {
+    let text = |arguments: &str| String::from_utf8(run(arguments).stdout).unwrap();
+    let (help, completions, manual) = (text("calculate --help"), text("completions bash"), text("man"));
+    for key in Key::form() {
+        let option = key.option.unwrap();
+        let placeholder = key.kind.placeholder();
+        for (name, placeholder, line) in [
+            (option.name.to_owned(), placeholder.to_owned(), option.help),
+            (format!("sigma-{}", option.name), format!("{placeholder}|%"), option.sigma_help),
+        ] {
+            let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert!(words(&help).contains(&format!("--{name} <{placeholder}> {line}")), "{name}");
+            assert!(completions.contains(&format!("--{name}")), "{name}");
+            assert!(manual.contains(&format!("\\-\\-{}", name.replace('-', "\\-"))), "{name}");
+        }
+        let refused = run_words(&["calculate", &format!("--{}=1 furlong", option.name)]);
+        let reason = String::from_utf8(refused.stderr).unwrap();
+        let start = format!("depth-calculator: --{}: “furlong” is not a unit known here.", option.name);
+        assert!(reason.starts_with(&start), "{reason}");
+    }
+}
+
+#[test]
+fn every_field_reads_its_units_and_refuses_all_others() {
+    for key in numbers() {
+        for (unit, words) in UNITS {
+            for word in words {
+                let entry = Entry::new(format!("3 {word}"), None);
+                let read = read(key, &entry);
+                if key.kind.reads(unit) {
+                    let reading = read.unwrap().unwrap();
+                    assert_eq!((reading.unit, reading.number), (Some(unit), 3.0), "{key:?} {word}");
+                    assert!(close(reading.value, unit.to_base(3.0)), "{key:?} {word}");
+                } else {
+                    let note = read.unwrap_err();
+                    assert!(note.key == key && !note.message().is_empty(), "{key:?} {word}");
+                }
+            }
+        }
+        let bare = read(key, &Entry::new("3", None)).unwrap().unwrap();
+        assert_eq!(bare.unit, key.kind.default_unit(), "{key:?}");
+    }
+}
+
+/// Whatever the field: what is no unit is refused, in the value and in σ, and never taken for the unit of the field.
+#[test]
+fn an_unknown_unit_is_refused_everywhere() {
+    for key in numbers() {
+        for unit in ["C", "K", "km", "pxl", "furlongs", "%", "kg", "mp", "µ", "x"] {
+            let wrong = Entry::new(format!("700 {unit}"), None);
+            assert!(read(key, &wrong).is_err(), "{key:?} takes {unit}");
+            if key.has_sigma && unit != "%" {
+                let wrong = Entry {
+                    sigma: format!("2 {unit}"),
+                    ..Entry::new("3", None)
+                };
+                assert!(read_with_sigma(key, &wrong).is_err(), "σ of {key:?} takes {unit}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_sigma_is_read_in_every_unit_of_its_field_and_in_percent_of_the_value() {
+    for key in numbers().filter(|key| key.has_sigma) {
+        let sigma = |text: &str| {
+            let entry = Entry {
+                sigma: text.into(),
+                ..Entry::new("3", None)
+            };
+            read_with_sigma(key, &entry).unwrap().unwrap().sigma
+        };
+        let bare = |number: f64| key.kind.default_unit().map_or(number, |unit| unit.to_base(number));
+        assert_eq!(sigma(""), None);
+        for same in ["0.03", "± 0.03", "1 %", "±1%"] {
+            assert!(close(sigma(same).unwrap(), bare(0.03)), "{key:?} {same}");
+        }
+        for (unit, words) in UNITS.iter().filter(|(unit, _)| key.kind.reads(*unit)) {
+            assert!(close(sigma(&format!("2 {}", words[0])).unwrap(), unit.to_base(2.0)), "{key:?}");
+        }
+    }
+}
+
+fn close(got: f64, expected: f64) -> bool {
+    (got / expected - 1.0).abs() < 1e-12
+}

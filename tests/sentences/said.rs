@@ -1,0 +1,190 @@
+//! What is said about the cases of a file.
+
+use crate::case::{Case, cases};
+use depth_calculator::core::problem::Method;
+use depth_calculator::formats::geometry::Geometry;
+use depth_calculator::formats::note::{Issue, Note, Part, Severity};
+use depth_calculator::formats::q_matrix;
+use depth_calculator::formats::sentences::{CommandLine, Statement};
+use depth_calculator::formats::ways::{DISPARITIES, FOCAL_LENGTHS, Way};
+use std::collections::BTreeSet;
+use std::fmt::Debug;
+
+#[derive(Default)]
+pub struct Said {
+    /// The cases with what is said about them.
+    pub text: String,
+    /// The variants that were said, "Issue::NotANumber".
+    pub variants: BTreeSet<String>,
+    /// What the command line wrote.
+    pub command_line: String,
+}
+
+impl Said {
+    pub fn of(file: &str) -> Self {
+        let mut said = Self::default();
+        for case in cases(file) {
+            let how = if case.how.is_empty() {
+                String::new()
+            } else {
+                format!(", {}", case.how)
+            };
+            said.line(&format!("[{}{how}]", case.typed_into));
+            case.typed.lines().for_each(|line| said.line(line));
+            let before = said.text.len();
+            said.case(&case);
+            if said.text.len() == before {
+                said.line("  (nothing)");
+            }
+            said.line("");
+        }
+        said
+    }
+
+    fn line(&mut self, line: &str) {
+        self.text.push_str(line.trim_end());
+        self.text.push('\n');
+    }
+
+    fn case(&mut self, case: &Case<'_>) {
+        match case.typed_into {
+            "form" => self.form(case),
+            "geometry" => {
+                let solution = case.inputs().assess().solution;
+                let geometry = Geometry::assess(&case.entries(), &solution);
+                geometry.notes.iter().for_each(|note| self.note(note));
+            }
+            "Q matrix" => match q_matrix::read(case.typed) {
+                Ok(geometry) if geometry.swapped => self.issue("warning", &Issue::QMatrixSwapped),
+                Ok(_) => {}
+                Err(issue) => self.issue("error", &issue),
+            },
+            "command line" => self.arguments(case),
+            way => {
+                let key = way.strip_prefix("way ").unwrap_or_else(|| panic!("what is [{way}]?"));
+                let way = Way::named(FOCAL_LENGTHS, key).or_else(|| Way::named(DISPARITIES, key)).unwrap();
+                if let Err(note) = way.compute(&case.entries()) {
+                    self.note(&note);
+                }
+            }
+        }
+    }
+
+    fn form(&mut self, case: &Case<'_>) {
+        let inputs = case.inputs();
+        let assessment = inputs.assess();
+        assessment.notes.iter().for_each(|note| self.note(note));
+        if let Some(Err(issue)) = assessment.unknown.as_ref().map(|unknown| &unknown.outcome) {
+            self.issue("in place of the result", issue);
+        }
+        if case.how == "to be calculated" {
+            inputs.missing().iter().for_each(|note| self.note(note));
+        }
+        if case.how == "results" {
+            let solution = &assessment.solution;
+            if let Some(together) = &solution.together {
+                self.statement(&Statement::agreement(&together.agreement));
+                for suspect in &together.agreement.suspects {
+                    self.statement(&Statement::suspect(suspect));
+                }
+            }
+            self.statement(&Statement::widths(solution));
+            let is_poor = |method| solution.known(method).is_some_and(|known| !known.model.first_order_is_good());
+            if Method::ALL.into_iter().any(is_poor) {
+                for has_simulation in [true, false] {
+                    self.statement(&Statement::FirstOrderIsPoor { has_simulation });
+                }
+            }
+        }
+    }
+
+    fn note(&mut self, note: &Note) {
+        let part = if note.part == Part::Sigma { "± " } else { "" };
+        let severity = match note.severity {
+            Severity::Warning => "warning",
+            Severity::Error => "error",
+        };
+        self.issue(&format!("{severity} at {part}{}", note.key.as_str()), &note.issue);
+        for fix in &note.fixes {
+            self.line(&format!("    [{}]", fix.label()));
+        }
+    }
+
+    fn issue(&mut self, place: &str, issue: &Issue) {
+        self.variants.insert(format!("Issue::{}", variant(issue)));
+        self.line(&format!("  {place}: {issue}"));
+    }
+
+    fn statement(&mut self, statement: &Statement) {
+        self.variants.insert(format!("Statement::{}", variant(statement)));
+        self.line(&format!("  {statement}"));
+    }
+
+    fn arguments(&mut self, case: &Case<'_>) {
+        let words = case.typed.split_whitespace().map(|word| word.trim_matches('\'').into());
+        let words = std::iter::once("depth-calculator".into()).chain(words);
+        let (mut out, mut err) = (Vec::new(), Vec::new());
+        if case.how == "disk full" {
+            depth_calculator::cli::run(words, &mut Full, &mut err);
+        } else {
+            depth_calculator::cli::run(words, &mut out, &mut err);
+        }
+        let lines = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+        let (out, err) = (lines(out), lines(err));
+        let usage = |line: &&str| line.starts_with("depth-calculator: ");
+        out.lines()
+            .chain(err.lines().filter(usage))
+            .for_each(|line| self.line(&format!("  {line}")));
+        self.command_line.push_str(&err);
+    }
+}
+
+/// A disk without room.
+struct Full;
+
+impl std::io::Write for Full {
+    fn write(&mut self, _: &[u8]) -> std::io::Result<usize> {
+        Err(std::io::Error::other("No space left on device"))
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+/// The name of the variant that `value` is.
+fn variant(value: &impl Debug) -> String {
+    format!("{value:?}").chars().take_while(|c| c.is_alphanumeric()).collect()
+}
+
+/// Fails where a sentence is in no case.
+pub fn assert_complete(variants: &BTreeSet<String>, command_line: &str) {
+    let issues = Issue::NAMES.iter().map(|name| format!("Issue::{name}"));
+    let statements = Statement::NAMES.iter().map(|name| format!("Statement::{name}"));
+    let missing: Vec<String> = issues.chain(statements).filter(|name| !variants.contains(name)).collect();
+    assert!(missing.is_empty(), "no case in tests/sentences/cases has {missing:?}");
+
+    // What the command line writes is text: one example of each variant, as some case has it.
+    let examples = [
+        CommandLine::EmptyOption { option: "fx".into() },
+        CommandLine::NoDistance {
+            ways: vec![
+                (vec!["baseline".into(), "disparity".into()], "Stereo"),
+                (vec!["w-img".into(), "w-real".into()], "Monocular"),
+            ],
+        },
+        CommandLine::NoCommand,
+        CommandLine::NotWritten {
+            reason: "No space left on device".into(),
+        },
+        CommandLine::UnusedDoffs,
+        CommandLine::UnusedSigma { option: "w-real".into() },
+    ];
+    assert_eq!(examples.each_ref().map(variant).as_slice(), CommandLine::NAMES);
+    for example in examples {
+        assert!(
+            command_line.contains(&example.to_string()),
+            "no case in tests/sentences/cases has: {example}"
+        );
+    }
+}
