@@ -15,7 +15,7 @@
 //!
 //! let mug = Problem {
 //!     focal_length: Some(Measured::exact(Pixels::new(700.0))),
-//!     baseline: Some(Measured::exact(Length::new(10.0, LengthUnit::Centimetre))),
+//!     baseline: Some(Measured::exact(Length::new(10.0, LengthUnit::Centimeter))),
 //!     disparity: Some(Measured::exact(Pixels::new(50.0))),
 //!     ..Problem::default()
 //! };

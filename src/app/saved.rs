@@ -51,7 +51,7 @@ pub type Texts = BTreeMap<String, String>;
 impl Default for Settings {
     fn default() -> Self {
         Self {
-            result_unit: LengthUnit::Metre,
+            result_unit: LengthUnit::Meter,
             theme: ThemePreference::System,
             screen: Screen::Calculator,
             shows_geometry: false,

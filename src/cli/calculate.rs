@@ -81,7 +81,7 @@ pub(super) struct Calculate {
     #[arg(long, value_name = "LENGTH|%", value_hint = ValueHint::Other, help_heading = UNCERTAINTY)]
     sigma_w_real: Option<String>,
     /// Unit of every length in the answer; JSON stays in meters
-    #[arg(long, default_value = LengthUnit::Metre.symbol(), value_parser = unit_parser(), help_heading = OUTPUT)]
+    #[arg(long, default_value = LengthUnit::Meter.symbol(), value_parser = unit_parser(), help_heading = OUTPUT)]
     unit: LengthUnit,
     /// Answer in JSON: lengths in meters, null for what is unknown or unbounded
     #[arg(long, help_heading = OUTPUT)]

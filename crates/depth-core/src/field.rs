@@ -139,13 +139,13 @@ impl Field {
 /// use depth_core::quantity::LengthUnit;
 ///
 /// // A baseline of 100 m is 100 mm.
-/// assert_eq!(better_unit(Field::Baseline, 100.0, LengthUnit::Metre), Some(LengthUnit::Millimetre));
+/// assert_eq!(better_unit(Field::Baseline, 100.0, LengthUnit::Meter), Some(LengthUnit::Millimeter));
 /// ```
 pub fn better_unit(field: Field, typed: f64, unit: LengthUnit) -> Option<LengthUnit> {
     const LIKELIEST_FIRST: [LengthUnit; 5] = [
-        LengthUnit::Metre,
-        LengthUnit::Millimetre,
-        LengthUnit::Centimetre,
+        LengthUnit::Meter,
+        LengthUnit::Millimeter,
+        LengthUnit::Centimeter,
         LengthUnit::Inch,
         LengthUnit::Foot,
     ];

@@ -60,7 +60,7 @@ impl<Q: Quantity> Measured<Q> {
     /// use depth_core::measured::Measured;
     /// use depth_core::quantity::{Length, LengthUnit};
     ///
-    /// let b = Measured::exact(Length::new(100.0, LengthUnit::Millimetre));
+    /// let b = Measured::exact(Length::new(100.0, LengthUnit::Millimeter));
     /// assert_eq!(b.to_base(), Measured::new(0.1, 0.0));
     /// ```
     pub fn to_base(self) -> Measured<f64> {

@@ -58,7 +58,7 @@ impl Length {
     /// ```
     /// use depth_core::quantity::{Length, LengthUnit};
     ///
-    /// assert_eq!(Length::from_m(0.1).in_unit(LengthUnit::Centimetre), 10.0);
+    /// assert_eq!(Length::from_m(0.1).in_unit(LengthUnit::Centimeter), 10.0);
     /// ```
     pub const fn from_m(meters: f64) -> Self {
         Self(meters)
@@ -69,14 +69,14 @@ impl Length {
     /// ```
     /// use depth_core::quantity::{Length, LengthUnit};
     ///
-    /// assert_eq!(Length::new(100.0, LengthUnit::Millimetre).m(), 0.1);
+    /// assert_eq!(Length::new(100.0, LengthUnit::Millimeter).m(), 0.1);
     /// ```
     pub fn new(value: f64, unit: LengthUnit) -> Self {
         Self(match unit {
             // Dividing by a power of ten rounds once, so that 100 mm is exactly the f64 nearest to 0.1.
-            LengthUnit::Millimetre => value / 1000.0,
-            LengthUnit::Centimetre => value / 100.0,
-            LengthUnit::Metre => value,
+            LengthUnit::Millimeter => value / 1000.0,
+            LengthUnit::Centimeter => value / 100.0,
+            LengthUnit::Meter => value,
             LengthUnit::Inch => value * METERS_PER_INCH,
             LengthUnit::Foot => value * METERS_PER_FOOT,
         })
@@ -102,9 +102,9 @@ impl Length {
     /// ```
     pub fn in_unit(self, unit: LengthUnit) -> f64 {
         match unit {
-            LengthUnit::Millimetre => self.0 * 1000.0,
-            LengthUnit::Centimetre => self.0 * 100.0,
-            LengthUnit::Metre => self.0,
+            LengthUnit::Millimeter => self.0 * 1000.0,
+            LengthUnit::Centimeter => self.0 * 100.0,
+            LengthUnit::Meter => self.0,
             LengthUnit::Inch => self.0 / METERS_PER_INCH,
             LengthUnit::Foot => self.0 / METERS_PER_FOOT,
         }
@@ -150,13 +150,13 @@ impl Pixels {
 pub enum LengthUnit {
     /// mm
     #[cfg_attr(feature = "serde", serde(rename = "mm"))]
-    Millimetre,
+    Millimeter,
     /// cm
     #[cfg_attr(feature = "serde", serde(rename = "cm"))]
-    Centimetre,
+    Centimeter,
     /// m
     #[cfg_attr(feature = "serde", serde(rename = "m"))]
-    Metre,
+    Meter,
     /// in
     #[cfg_attr(feature = "serde", serde(rename = "in"))]
     Inch,
@@ -167,7 +167,7 @@ pub enum LengthUnit {
 
 impl LengthUnit {
     /// Every unit, in the order in which menus list them.
-    pub const ALL: [Self; 5] = [Self::Millimetre, Self::Centimetre, Self::Metre, Self::Inch, Self::Foot];
+    pub const ALL: [Self; 5] = [Self::Millimeter, Self::Centimeter, Self::Meter, Self::Inch, Self::Foot];
 
     /// The unit's symbol, as written after a number.
     ///
@@ -178,9 +178,9 @@ impl LengthUnit {
     /// ```
     pub const fn symbol(self) -> &'static str {
         match self {
-            Self::Millimetre => "mm",
-            Self::Centimetre => "cm",
-            Self::Metre => "m",
+            Self::Millimeter => "mm",
+            Self::Centimeter => "cm",
+            Self::Meter => "m",
             Self::Inch => "in",
             Self::Foot => "ft",
         }
@@ -195,9 +195,9 @@ impl LengthUnit {
     /// ```
     pub const fn name(self) -> &'static str {
         match self {
-            Self::Millimetre => "millimetres",
-            Self::Centimetre => "centimetres",
-            Self::Metre => "metres",
+            Self::Millimeter => "millimetres",
+            Self::Centimeter => "centimetres",
+            Self::Meter => "metres",
             Self::Inch => "inches",
             Self::Foot => "feet",
         }

@@ -13,7 +13,7 @@ use depth_generators::any_sign_and_magnitude;
 use proptest::prelude::*;
 
 fn mm(value: f64) -> Length {
-    Length::new(value, LengthUnit::Millimetre)
+    Length::new(value, LengthUnit::Millimeter)
 }
 
 fn px(value: f64) -> Pixels {
@@ -46,9 +46,9 @@ fn opencv_gives_the_same_calibration_values() {
     assert_near(camera.horizontal_view().degrees(), 84.815_373, 5e-7);
     assert_near(camera.vertical_view().degrees(), 54.093_788, 5e-7);
     let sensor = camera.on_sensor(mm(4.8), mm(2.7)).unwrap();
-    assert_near(sensor.lens.in_unit(LengthUnit::Millimetre), 2.625, 1e-12);
-    assert_near(sensor.principal_x.in_unit(LengthUnit::Millimetre), 2.2875, 1e-12);
-    assert_near(sensor.principal_y.in_unit(LengthUnit::Millimetre), 1.3125, 1e-12);
+    assert_near(sensor.lens.in_unit(LengthUnit::Millimeter), 2.625, 1e-12);
+    assert_near(sensor.principal_x.in_unit(LengthUnit::Millimeter), 2.2875, 1e-12);
+    assert_near(sensor.principal_y.in_unit(LengthUnit::Millimeter), 1.3125, 1e-12);
     assert_near(sensor.aspect_ratio, 1.007_142_9, 5e-8);
     // And back.
     let f = focal_length_from_sensor_width(mm(2.625), mm(4.8), px(1280.0)).unwrap();

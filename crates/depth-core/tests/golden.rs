@@ -36,10 +36,10 @@ fn opencv_reprojects_the_same_depth() {
 fn middlebury_converts_disparity_to_the_same_depth() {
     let depth = stereo::depth(
         Pixels::new(3997.684),
-        Length::new(193.001, LengthUnit::Millimetre),
+        Length::new(193.001, LengthUnit::Millimeter),
         Pixels::new(231.111),
     );
-    assert!(close(depth.in_unit(LengthUnit::Millimetre), 3338.46, 1e-5), "{depth:?}");
+    assert!(close(depth.in_unit(LengthUnit::Millimeter), 3338.46, 1e-5), "{depth:?}");
 }
 
 /// A foot is 0.3048 m and an inch 25.4 mm by definition (international yard and pound agreement, 1959).
@@ -47,8 +47,8 @@ fn middlebury_converts_disparity_to_the_same_depth() {
 fn units_are_those_of_the_1959_agreement() {
     assert_eq!(Length::new(1.0, LengthUnit::Foot).m(), 0.3048);
     assert_eq!(Length::new(1.0, LengthUnit::Inch).m(), 0.0254);
-    assert_eq!(Length::new(100.0, LengthUnit::Millimetre).m(), 0.1);
-    assert_eq!(Length::new(10.0, LengthUnit::Centimetre).m(), 0.1);
+    assert_eq!(Length::new(100.0, LengthUnit::Millimeter).m(), 0.1);
+    assert_eq!(Length::new(10.0, LengthUnit::Centimeter).m(), 0.1);
 }
 
 fn problem(focal_length: f64, baseline: f64, disparity: f64, image_width: f64, real_width: f64) -> Problem {

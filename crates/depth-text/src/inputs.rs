@@ -68,7 +68,7 @@ impl Default for Inputs {
             sigmas: BTreeMap::new(),
             with_uncertainty: false,
             unknown: None,
-            distance: Entry::new("", Some(LengthUnit::Metre)),
+            distance: Entry::new("", Some(LengthUnit::Meter)),
             distance_sigma: String::new(),
         }
     }
@@ -77,8 +77,8 @@ impl Default for Inputs {
 /// The unit in which a length field starts; `None` for pixels.
 pub const fn default_unit(field: Field) -> Option<LengthUnit> {
     match field {
-        Field::Baseline => Some(LengthUnit::Millimetre),
-        Field::RealWidth => Some(LengthUnit::Metre),
+        Field::Baseline => Some(LengthUnit::Millimeter),
+        Field::RealWidth => Some(LengthUnit::Meter),
         Field::FocalLength | Field::Disparity | Field::Doffs | Field::ImageWidth => None,
     }
 }
@@ -110,13 +110,13 @@ impl Example {
         match self {
             Self::CoffeeMug => {
                 inputs.focal_length.text = "700".into();
-                inputs.baseline = Entry::new("10", Some(LengthUnit::Centimetre));
+                inputs.baseline = Entry::new("10", Some(LengthUnit::Centimeter));
                 inputs.disparity.text = "50".into();
             }
             Self::Doorway => {
                 inputs.focal_length.text = "950".into();
                 inputs.image_width.text = "200".into();
-                inputs.real_width = Entry::new("0.9", Some(LengthUnit::Metre));
+                inputs.real_width = Entry::new("0.9", Some(LengthUnit::Meter));
             }
         }
         inputs
@@ -339,7 +339,7 @@ impl Inputs {
             let unit = match typed.unit {
                 Some(Unit::Length(unit)) => unit,
                 Some(Unit::Pixel) => return Err(format!("A distance is not a number of pixels. {EXAMPLE}")),
-                None => self.distance.unit.unwrap_or(LengthUnit::Metre),
+                None => self.distance.unit.unwrap_or(LengthUnit::Meter),
             };
             Ok((typed.number, Length::new(typed.number, unit).m()))
         };
@@ -768,7 +768,7 @@ fn stepped(typed: number::Typed<'_>, steps: i32) -> Option<String> {
 #[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 mod tests {
     use super::*;
-    use LengthUnit::{Centimetre, Metre, Millimetre};
+    use LengthUnit::{Centimeter, Meter, Millimeter};
 
     fn with(field: Field, text: &str) -> Inputs {
         let mut inputs = Inputs::default();
@@ -797,17 +797,17 @@ mod tests {
     #[test]
     fn a_typed_unit_holds_at_once_and_moves_beside_the_field_when_tidied() {
         let mut inputs = with(Field::Baseline, "10 cm");
-        assert_eq!(inputs.unit(Field::Baseline), Some(Centimetre));
+        assert_eq!(inputs.unit(Field::Baseline), Some(Centimeter));
         assert_eq!(inputs.assess().solution.problem.get(Field::Baseline), Some(0.1));
         inputs.tidy(Field::Baseline);
-        assert_eq!(inputs.entry(Field::Baseline), &Entry::new("10", Some(Centimetre)));
+        assert_eq!(inputs.entry(Field::Baseline), &Entry::new("10", Some(Centimeter)));
     }
 
     #[test]
     fn choosing_a_unit_keeps_the_typed_number() {
         let mut inputs = with(Field::Baseline, "10 cm");
-        inputs.choose_unit(Field::Baseline, Metre);
-        assert_eq!(inputs.entry(Field::Baseline), &Entry::new("10", Some(Metre)));
+        inputs.choose_unit(Field::Baseline, Meter);
+        assert_eq!(inputs.entry(Field::Baseline), &Entry::new("10", Some(Meter)));
     }
 
     #[test]
@@ -831,12 +831,12 @@ mod tests {
     fn a_slip_of_the_unit_is_offered_the_right_one() {
         let b = note(&with(Field::Baseline, "0.1"), Field::Baseline);
         assert_eq!(b.severity, Severity::Warning);
-        assert_eq!(b.fixes.first().unwrap().entry, Entry::new("0.1", Some(Metre)));
+        assert_eq!(b.fixes.first().unwrap().entry, Entry::new("0.1", Some(Meter)));
         let mut inputs = with(Field::Baseline, "100");
-        inputs.choose_unit(Field::Baseline, Metre);
+        inputs.choose_unit(Field::Baseline, Meter);
         assert_eq!(
             note(&inputs, Field::Baseline).fixes.first().unwrap().entry,
-            Entry::new("100", Some(Millimetre))
+            Entry::new("100", Some(Millimeter))
         );
     }
 

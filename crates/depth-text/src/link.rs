@@ -119,7 +119,7 @@ mod tests {
         let mut inputs = Inputs::default();
         inputs.choose_unit(Field::Baseline, LengthUnit::Foot);
         assert!(apply("b=100", &mut inputs));
-        assert_eq!(inputs.entry(Field::Baseline), &Entry::new("100", Some(LengthUnit::Millimetre)));
+        assert_eq!(inputs.entry(Field::Baseline), &Entry::new("100", Some(LengthUnit::Millimeter)));
     }
 
     #[test]

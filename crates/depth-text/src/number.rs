@@ -92,9 +92,9 @@ pub fn read(text: &str) -> Result<Typed<'_>, NumberError> {
 pub fn unit(word: &str) -> Option<Unit> {
     Some(match word.to_lowercase().as_str() {
         "px" | "pixel" | "pixels" => Unit::Pixel,
-        "mm" | "millimetre" | "millimetres" | "millimeter" | "millimeters" => Unit::Length(LengthUnit::Millimetre),
-        "cm" | "centimetre" | "centimetres" | "centimeter" | "centimeters" => Unit::Length(LengthUnit::Centimetre),
-        "m" | "metre" | "metres" | "meter" | "meters" => Unit::Length(LengthUnit::Metre),
+        "mm" | "millimetre" | "millimetres" | "millimeter" | "millimeters" => Unit::Length(LengthUnit::Millimeter),
+        "cm" | "centimetre" | "centimetres" | "centimeter" | "centimeters" => Unit::Length(LengthUnit::Centimeter),
+        "m" | "metre" | "metres" | "meter" | "meters" => Unit::Length(LengthUnit::Meter),
         "in" | "inch" | "inches" | "\"" | "″" => Unit::Length(LengthUnit::Inch),
         "ft" | "foot" | "feet" | "'" | "′" => Unit::Length(LengthUnit::Foot),
         _ => return None,
@@ -305,17 +305,17 @@ mod tests {
 
     #[test]
     fn a_unit_may_follow_with_or_without_a_space() {
-        use LengthUnit::{Centimetre, Foot, Inch, Metre, Millimetre};
+        use LengthUnit::{Centimeter, Foot, Inch, Meter, Millimeter};
         for (text, value, unit) in [
-            ("10 cm", 10.0, Unit::Length(Centimetre)),
+            ("10 cm", 10.0, Unit::Length(Centimeter)),
             ("4in", 4.0, Unit::Length(Inch)),
-            ("0.1 m", 0.1, Unit::Length(Metre)),
-            ("1e2mm", 100.0, Unit::Length(Millimetre)),
+            ("0.1 m", 0.1, Unit::Length(Meter)),
+            ("1e2mm", 100.0, Unit::Length(Millimeter)),
             ("3'", 3.0, Unit::Length(Foot)),
             ("4\"", 4.0, Unit::Length(Inch)),
             ("2 Feet", 2.0, Unit::Length(Foot)),
             ("50px", 50.0, Unit::Pixel),
-            ("12,5 mm", 12.5, Unit::Length(Millimetre)),
+            ("12,5 mm", 12.5, Unit::Length(Millimeter)),
         ] {
             let typed = read(text).unwrap();
             assert_eq!((typed.number, typed.unit), (value, Some(unit)), "{text:?}");

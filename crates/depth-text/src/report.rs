@@ -58,7 +58,7 @@ pub fn formula_with_numbers(solution: &Solution, method: Method) -> Option<Strin
         "D = {} · {} / {divisor} = {}",
         value(first)?,
         value(second)?,
-        length(Some(distance), LengthUnit::Metre)
+        length(Some(distance), LengthUnit::Meter)
     ))
 }
 
@@ -231,7 +231,7 @@ fn results(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
     if let Some(width) = solution.estimated_width {
         lines.push(format!(
             "{ESTIMATED_WIDTH_M}: {} (unrounded {} m)",
-            length(Some(width), LengthUnit::Metre),
+            length(Some(width), LengthUnit::Meter),
             exact(width.m())
         ));
     }
@@ -396,14 +396,14 @@ mod tests {
         let inputs = Example::CoffeeMug.inputs();
         let assessment = inputs.assess();
         assert_eq!(
-            one_pixel_around(&assessment.solution, LengthUnit::Metre).as_deref(),
+            one_pixel_around(&assessment.solution, LengthUnit::Meter).as_deref(),
             Some("1.373 … 1.429 m")
         );
         assert_eq!(
             formula_with_numbers(&assessment.solution, Method::Stereo).as_deref(),
             Some("D = 700 px · 0.1 m / 50 px = 1.400 m")
         );
-        let report = report(&inputs, &assessment, LengthUnit::Metre);
+        let report = report(&inputs, &assessment, LengthUnit::Meter);
         for line in [
             "  Camera baseline (b): 10 cm",
             "  Stereo distance, D = fx · b / d: 1.400 m (unrounded 1.4 m)",
@@ -441,7 +441,7 @@ mod tests {
         let mut inputs = Example::CoffeeMug.inputs();
         *inputs.entry_mut(Field::Disparity) = Entry::new("1", None);
         assert_eq!(
-            one_pixel_around(&inputs.assess().solution, LengthUnit::Metre).as_deref(),
+            one_pixel_around(&inputs.assess().solution, LengthUnit::Meter).as_deref(),
             Some("35.00 m … no upper bound")
         );
     }

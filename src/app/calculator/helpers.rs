@@ -293,7 +293,7 @@ const DISPARITY: &[Way] = &[
 ];
 
 fn mm(millimetres: f64) -> Length {
-    Length::new(millimetres, LengthUnit::Millimetre)
+    Length::new(millimetres, LengthUnit::Millimeter)
 }
 
 fn incomplete() -> Result<f64, String> {

@@ -163,7 +163,7 @@ impl Card {
 
 fn intermediate(ui: &mut Ui, assessment: &Assessment) {
     let solution = &assessment.solution;
-    let metres = |length| report::length(length, LengthUnit::Metre);
+    let metres = |length| report::length(length, LengthUnit::Meter);
     let width_px = solution.estimated_width_px.map_or_else(
         || crate::formats::number::NO_NUMBER.to_owned(),
         |width| crate::formats::number::significant(width.px(), report::DIGITS),

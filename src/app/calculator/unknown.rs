@@ -50,7 +50,7 @@ pub fn show(ui: &mut Ui, inputs: &mut Inputs, assessment: &Assessment, height: f
         commands.push(Command::Settle);
     }
     ui.add_space(theme::STEP);
-    let unit = inputs.distance.unit.get_or_insert(LengthUnit::Metre);
+    let unit = inputs.distance.unit.get_or_insert(LengthUnit::Meter);
     let left = NumberField {
         name: "Distance (D)",
         hint: "The distance along the optical axis, now an input.",

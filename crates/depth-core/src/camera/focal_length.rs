@@ -32,7 +32,7 @@ pub fn focal_length_from_pixel_pitch(lens: Length, pitch: Length) -> Option<Pixe
 /// use depth_core::camera::focal_length_from_sensor_width;
 /// use depth_core::quantity::{Length, LengthUnit, Pixels};
 ///
-/// let mm = |value| Length::new(value, LengthUnit::Millimetre);
+/// let mm = |value| Length::new(value, LengthUnit::Millimeter);
 /// // 4 mm · 1280 px / 6.4 mm.
 /// let f = focal_length_from_sensor_width(mm(4.0), mm(6.4), Pixels::new(1280.0)).unwrap();
 /// assert!((f.px() - 800.0).abs() < 1e-9);
