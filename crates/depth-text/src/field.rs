@@ -58,6 +58,16 @@ impl Kind {
         }
     }
 
+    /// The name of the unit in which results are computed; empty where there is none.
+    pub const fn base_unit(self) -> &'static str {
+        match self {
+            Self::Pixels => "pixels",
+            Self::Length(_) | Self::Pitch => "meters",
+            Self::Angle => "radians",
+            Self::Count | Self::Plain | Self::Text => "",
+        }
+    }
+
     /// The placeholder of a value in the help of the command line.
     pub const fn placeholder(self) -> &'static str {
         match self {
@@ -123,6 +133,8 @@ pub struct FieldSpec {
     pub examples: &'static [&'static str],
     /// The sentence under the field; may be empty.
     pub hint: &'static str,
+    /// What it means, in the table of parameters; may be empty.
+    pub description: &'static str,
     /// Whether it can be below zero: the number keyboards of some phones have no minus.
     pub signed: bool,
     /// Whether it has an uncertainty.
@@ -147,6 +159,7 @@ impl FieldSpec {
         kind: Kind::Plain,
         examples: &[],
         hint: "",
+        description: "",
         signed: false,
         has_sigma: false,
         input: None,

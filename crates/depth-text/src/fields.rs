@@ -48,6 +48,7 @@ table! {
     FOCAL_LENGTH = FieldSpec {
         key: "fx", name: "Focal length (fx)", symbol: "fx", noun: "the focal length", examples: &["700"],
         hint: "Focal length of the camera in pixels.",
+        description: "Camera’s focal length",
         input: Some(Field::FocalLength), section: Some(Section::Camera),
         option: Some(CommandOption {
             name: "fx",
@@ -61,6 +62,7 @@ table! {
         key: "b", name: "Camera baseline (b)", symbol: "b", noun: "the baseline", examples: &["100"],
         kind: Kind::Length(LengthUnit::Millimeter),
         hint: "Distance between the two cameras.",
+        description: "Distance between the two cameras",
         input: Some(Field::Baseline), section: Some(Section::Stereo),
         option: Some(CommandOption {
             name: "baseline",
@@ -73,6 +75,7 @@ table! {
     DISPARITY = FieldSpec {
         key: "d", name: "Disparity (d)", symbol: "d", noun: "the disparity", examples: &["50"],
         hint: "Horizontal shift of the object between the left and right image.",
+        description: "Horizontal pixel difference",
         input: Some(Field::Disparity), section: Some(Section::Stereo),
         option: Some(CommandOption {
             name: "disparity",
@@ -98,6 +101,7 @@ table! {
     IMAGE_WIDTH = FieldSpec {
         key: "wimg", name: "Object width in image (w_img)", symbol: "w_img", noun: "the width in the image", examples: &["150"],
         hint: "Width of the object in the image.",
+        description: "Object’s width in the image",
         input: Some(Field::ImageWidth), section: Some(Section::Monocular),
         option: Some(CommandOption {
             name: "w-img",
@@ -111,6 +115,7 @@ table! {
         key: "wreal", name: "Object real width (w_real)", symbol: "w_real", noun: "the real width", examples: &["0.30"],
         kind: Kind::Length(LengthUnit::Meter),
         hint: "Actual physical width of the object.",
+        description: "Object’s actual physical width",
         input: Some(Field::RealWidth), section: Some(Section::Monocular),
         option: Some(CommandOption {
             name: "w-real",

@@ -42,6 +42,10 @@ pub fn fragment(inputs: &Inputs, assessment: &Assessment) -> String {
         }
         let (text, unit) = match assessment.reading(key) {
             Some(reading) => (reading.number_text.as_str(), reading.unit.filter(|_| key.kind != Kind::Pixels)),
+            // The unit chosen beside it belongs to what may yet become a number.
+            None if key.is_length() && entry.text.trim_end().ends_with(|c: char| c.is_ascii_digit()) => {
+                (entry.text.trim(), entry.chosen_unit(key))
+            }
             None => (entry.text.trim(), None),
         };
         pairs.push(format!(
@@ -124,7 +128,7 @@ mod tests {
 
     #[test]
     fn what_is_written_reads_back_even_when_it_is_not_a_number() {
-        for text in ["700", "a&b=c%", "−3", "1,000", "mug ☕"] {
+        for text in ["700", "a&b=c%", "−3", "1,000", "mug ☕", "4 mm", "50 °"] {
             let mut inputs = Example::CoffeeMug.inputs();
             inputs.entry_mut(Field::Disparity).text = text.into();
             let mut back = Inputs::default();

@@ -1,6 +1,7 @@
 //! The results in words: lengths with their uncertainty, the formulas with their numbers, the table of parameters.
 
 use crate::assess::Unknown;
+use crate::field::Key;
 use crate::number::{self, NO_NUMBER, plain, significant};
 use crate::sentences::Statement;
 use depth_core::agreement::{Agreement, Suspect};
@@ -43,7 +44,7 @@ pub fn formula(solution: &Solution, method: Method) -> &'static str {
 pub fn formula_with_numbers(solution: &Solution, method: Method) -> Option<String> {
     let distance = solution.outcome(method).distance()?;
     let value = |field: Field| {
-        let unit = if field.is_length() { "m" } else { "px" };
+        let unit = if Key::from(field).is_length() { "m" } else { "px" };
         solution.problem.get(field).map(|value| format!("{} {unit}", plain(value)))
     };
     let (first, second, divisor) = match method {
@@ -80,28 +81,26 @@ pub struct Row {
     pub description: &'static str,
 }
 
-/// The nine rows of the table; lengths in metres whatever unit was typed.
-pub fn parameter_rows(solution: &Solution) -> [Row; 9] {
+/// The rows of the table: the inputs that everybody has, then what follows; lengths in meters whatever unit was typed.
+pub fn parameter_rows(solution: &Solution) -> Vec<Row> {
     const PIXELS: &str = "pixels";
     const METERS: &str = "meters";
-    let input = |field: Field, description| Row {
-        parameter: field.name(),
-        value: solution.problem.get(field).map_or_else(|| NO_NUMBER.to_owned(), plain),
-        unit: if field.is_length() { METERS } else { PIXELS },
-        description,
-    };
+    let inputs = Key::form().filter(|key| !key.is_optional).filter_map(|key| {
+        let value = solution.problem.get(key.input?);
+        Some(Row {
+            parameter: key.spec().name,
+            value: value.map_or_else(|| NO_NUMBER.to_owned(), plain),
+            unit: key.kind.base_unit(),
+            description: key.spec().description,
+        })
+    });
     let output = |parameter, value: Option<f64>, unit, description| Row {
         parameter,
         value: value.map_or_else(|| NO_NUMBER.to_owned(), |value| significant(value, DIGITS)),
         unit,
         description,
     };
-    [
-        input(Field::FocalLength, "Camera’s focal length"),
-        input(Field::Baseline, "Distance between the two cameras"),
-        input(Field::Disparity, "Horizontal pixel difference"),
-        input(Field::ImageWidth, "Object’s width in the image"),
-        input(Field::RealWidth, "Object’s actual physical width"),
+    let outputs = [
         output(
             ESTIMATED_WIDTH_PX,
             solution.estimated_width_px.map(|width| width.px()),
@@ -126,7 +125,8 @@ pub fn parameter_rows(solution: &Solution) -> [Row; 9] {
             METERS,
             "Distance from the object’s known width",
         ),
-    ]
+    ];
+    inputs.chain(outputs).collect()
 }
 
 /// Name of w_real·fx/D.
@@ -197,7 +197,7 @@ pub fn main_cause(known: &Uncertainty) -> Option<String> {
 
 /// A field in the middle of a sentence about causes: "disparity".
 pub fn short_name(field: Field) -> &'static str {
-    field.noun().trim_start_matches("the ")
+    Key::from(field).spec().noun.trim_start_matches("the ")
 }
 
 /// A share of a whole, "75 %".

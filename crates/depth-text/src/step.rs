@@ -15,8 +15,14 @@ impl Entry {
         }
         self.tidy(key);
         let Ok(typed) = number::read(&self.text) else { return };
-        if let Some(text) = stepped(typed, steps) {
-            self.text = text;
+        let unit = match typed.unit {
+            None => "",
+            // An angle in radians keeps its unit; a unit that the field does not have is not counted away.
+            Some(unit) if key.kind.reads(unit) => unit.symbol(),
+            Some(_) => return,
+        };
+        if let Some(number) = stepped(typed, steps) {
+            self.text = format!("{number} {unit}").trim_end().to_owned();
         }
     }
 }
@@ -65,8 +71,13 @@ mod tests {
             ("", 1, "50"),
             ("abc", 1, "abc"),
             ("-3", 1, "-3"),
+            ("4 mm", 1, "4 mm"),
+            ("20°", 1, "20°"),
         ] {
             assert_eq!(stepped(text, steps), expected, "{text:?} by {steps}");
         }
+        let mut angle = Entry::new("0.35 rad", None);
+        angle.step(fields::TILT, 1);
+        assert_eq!(angle.text, "0.36 rad");
     }
 }

@@ -46,8 +46,14 @@ impl Way {
         if values.len() < self.asks.len() {
             return Ok(None);
         }
-        let at = self.asks.first().copied().unwrap_or(self.target);
-        let value = (self.compute)(&values).map_err(|issue| Note::error(at, issue))?;
+        let value = (self.compute)(&values).map_err(|issue| {
+            let key = match issue {
+                Issue::MinDisparityNotWhole => fields::MIN_DISPARITY,
+                Issue::WrongSubpixelBits => fields::SUBPIXEL_BITS,
+                _ => self.asks.first().copied().unwrap_or(self.target),
+            };
+            Note::error(key, issue)
+        })?;
         Ok(Some(value).filter(|value| value.is_finite()))
     }
 

@@ -4,8 +4,9 @@
 use depth_core::problem::Field;
 use depth_core::quantity::LengthUnit;
 use depth_text::export::{Exporter as _, Results, Text};
+use depth_text::fields::TABLE;
 use depth_text::inputs::{Entry, Inputs};
-use depth_text::{number, report};
+use depth_text::{number, reading, report};
 use proptest::prelude::*;
 
 fn close(got: f64, expected: f64, relative: f64) -> bool {
@@ -72,6 +73,18 @@ proptest! {
                 *fixed.entry_mut(field) = fix.entry.clone();
                 let after = fixed.assess().note(field).cloned();
                 prop_assert!(after.as_ref().is_none_or(|after| after.message() != note.message()), "{note:?} then {after:?}");
+            }
+        }
+    }
+
+    /// For every field: no text panics, and a σ that was typed is either used or a note.
+    #[test]
+    fn no_sigma_is_dropped(text in typed_text(), sigma in typed_text()) {
+        for &key in TABLE {
+            let entry = Entry { sigma: sigma.clone(), ..Entry::new(text.clone(), None) };
+            if let Ok(Some(reading)) = reading::read_with_sigma(key, &entry) {
+                prop_assert_eq!(reading.sigma.is_none(), reading::sigma_text(&entry).is_empty(), "{:?} {:?}", key, entry);
+                prop_assert!(reading.value.is_finite());
             }
         }
     }
