@@ -1,5 +1,5 @@
-//! Images of the screens, compared with those in `snapshots/`: only where both are drawn by the same software, because no two
-//! renderers agree on every pixel. `snapshots/renderer.txt` names it.
+//! Images of the screens, compared with those in `snapshots/`: only where Mesa's software renderer draws, because no two
+//! renderers agree on every pixel. `snapshots/renderer.txt` says which version drew the images; 22.3 and 25.0 draw the same.
 
 use eframe::egui_wgpu::{RenderState, Renderer, RendererOptions, WgpuConfiguration, WgpuSetup};
 use eframe::wgpu::{self, Backends, DeviceType};
@@ -13,22 +13,13 @@ use std::sync::{Arc, OnceLock};
 
 /// How far a red, green or blue of 0 to 255 may be off: 1 is another processor's rounding, 2 is another color.
 const TOLERANCE: u8 = 1;
+/// In it stands what drew the images.
+const RENDERER: &str = "renderer.txt";
 const HOW_TO_ACCEPT: &str = "If the screens should look like this now: UPDATE_SNAPSHOTS=1 cargo test --locked --test screens look";
 
-/// What draws the images. `None` where it would not draw them as it drew the ones to compare with. Then says why on the terminal,
-/// and in a file that `cargo xtask test` reads.
+/// What draws the images; nothing where they cannot be compared.
 pub fn renderer() -> Option<WgpuTestRenderer> {
-    static STATE: OnceLock<Option<RenderState>> = OnceLock::new();
-    let state = STATE.get_or_init(|| {
-        render_state()
-            .inspect_err(|reason| {
-                std::fs::write(output_folder().join("left-out.txt"), reason).unwrap();
-                // The harness keeps to itself what a test that passes says with eprintln!.
-                writeln!(std::io::stderr(), "left out: the images of the screens. {reason}").unwrap();
-            })
-            .ok()
-    });
-    let state = state.clone()?;
+    let state = state()?.clone();
     // One device for all of them, but each program has textures of its own.
     let textures = Renderer::new(&state.device, state.target_format, RendererOptions::PREDICTABLE);
     Some(WgpuTestRenderer::from_render_state(RenderState {
@@ -37,15 +28,31 @@ pub fn renderer() -> Option<WgpuTestRenderer> {
     }))
 }
 
-/// Mesa's software renderer, in the version that drew the images. Err: a sentence, where that is not here.
-fn render_state() -> Result<RenderState, String> {
+/// The only instance of [`llvmpipe`]. Where there is none, says why on the terminal, and in a file that `cargo xtask test` reads.
+fn state() -> Option<&'static RenderState> {
+    static STATE: OnceLock<Option<RenderState>> = OnceLock::new();
+    let state = STATE.get_or_init(|| match llvmpipe() {
+        Ok(state) => Some(state),
+        Err(reason) => {
+            std::fs::write(output_folder().join("left-out.txt"), &reason).unwrap();
+            // The harness keeps to itself what a test that passes says with eprintln!.
+            let text = format!("left out: the images of the screens. {reason}\n");
+            std::io::stderr().write_all(text.as_bytes()).unwrap();
+            None
+        }
+    });
+    state.as_ref()
+}
+
+/// Mesa's software renderer. Err: a sentence, where that is not here.
+fn llvmpipe() -> Result<RenderState, String> {
     let mut setup = default_wgpu_setup();
     if let WgpuSetup::CreateNew(new) = &mut setup {
         // Unlike OpenGL, Vulkan offers the software renderer beside a graphics card too.
         new.instance_descriptor.backends = Backends::VULKAN;
         new.native_adapter_selector = Some(Arc::new(|adapters, _| {
             let found = adapters.iter().find(|adapter| is_llvmpipe(adapter));
-            found.cloned().ok_or_else(|| "it is not here".to_owned())
+            found.cloned().ok_or_else(|| "Mesa's llvmpipe for Vulkan is not here".to_owned())
         }));
     }
     let instance = pollster::block_on(setup.new_instance());
@@ -54,11 +61,7 @@ fn render_state() -> Result<RenderState, String> {
         ..WgpuConfiguration::default()
     };
     let state = RenderState::create(&configuration, &instance, None, RendererOptions::PREDICTABLE);
-    let state = pollster::block_on(state).map_err(|error| {
-        format!("They are compared where Mesa's llvmpipe draws with Vulkan (on Debian: apt-get install mesa-vulkan-drivers). {error}.")
-    })?;
-    check_version(&state.adapter.get_info().driver_info)?;
-    Ok(state)
+    pollster::block_on(state).map_err(|error| format!("{error}. On Debian and Ubuntu: apt-get install mesa-vulkan-drivers."))
 }
 
 fn is_llvmpipe(adapter: &wgpu::Adapter) -> bool {
@@ -66,19 +69,10 @@ fn is_llvmpipe(adapter: &wgpu::Adapter) -> bool {
     info.device_type == DeviceType::Cpu && info.driver == "llvmpipe"
 }
 
-fn check_version(here: &str) -> Result<(), String> {
-    let here = format!("llvmpipe, {here}");
-    let file = snapshots().join("renderer.txt");
-    let drew = std::fs::read_to_string(&file).unwrap_or_default();
-    let drew = drew.trim();
-    if here == drew {
-        return Ok(());
-    }
-    if is_updating() {
-        std::fs::write(file, format!("{here}\n")).unwrap();
-        return Ok(());
-    }
-    Err(format!("They were drawn by {drew}, and here it would be {here}."))
+/// Name and version of what draws here, without how many bits it works on at a time: that is the processor's.
+fn version() -> String {
+    let info = state().map(|state| state.adapter.get_info());
+    info.map_or_else(String::new, |info| format!("{}, {}", info.driver, info.driver_info))
 }
 
 fn is_updating() -> bool {
@@ -105,6 +99,7 @@ pub fn compare(new: &RgbImage, name: &str) -> Result<(), String> {
     };
     if is_updating() {
         save(new, &file);
+        std::fs::write(snapshots().join(RENDERER), format!("{}\n", version())).unwrap();
         return Ok(());
     }
     save(new, &new_file);
@@ -132,7 +127,17 @@ fn differences(old: &RgbImage, new: &RgbImage) -> Result<(usize, RgbImage), Stri
 
 /// Fails with all that [`compare`] found.
 pub fn report(problems: &[String]) {
-    assert!(problems.is_empty(), "\n{}\n{HOW_TO_ACCEPT}", problems.join("\n"));
+    if problems.is_empty() {
+        return;
+    }
+    let drew = std::fs::read_to_string(snapshots().join(RENDERER)).unwrap_or_default();
+    let (drew, draws) = (drew.trim(), version());
+    let versions = if drew == draws {
+        String::new()
+    } else {
+        format!("The images to compare with were drawn by {drew}, the new ones by {draws}.\n")
+    };
+    panic!("\n{}\n{versions}{HOW_TO_ACCEPT}", problems.join("\n"));
 }
 
 /// Writes a small file: for flat areas and letters no filter is the best one.

@@ -7,7 +7,7 @@ use crate::browsers::{self, Engine, Places, Programs};
 use crate::prerequisites::{self, Needs};
 use crate::step::{cargo, command, output, root, run, step};
 use crate::table::{Outcome, Table};
-use crate::{desktop, dist, size};
+use crate::{desktop, dist, images, size};
 
 /// What a build of everything takes, as measured with `du` after `cargo xtask check` and `cargo xtask test`.
 const BUILD_BYTES: u64 = 6_000_000_000;
@@ -109,7 +109,11 @@ pub(crate) fn run_chosen(options: &Options) -> Result<(), String> {
 
     let mut table = Table::default();
     if choice.parts.contains(&Part::Rust) {
+        images::prepare(options.complete);
         table.run("rust", || rust(&choice.rust));
+        if let Some(reason) = images::left_out() {
+            table.leave_out("images", reason);
+        }
     }
     if choice.parts.contains(&Part::Desktop) {
         table.run("desktop", || desktop::test(options.complete));
