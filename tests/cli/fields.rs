@@ -17,7 +17,7 @@ const UNITS: [(Unit, &[&str]); 9] = [
     (Unit::Pixel, &["px", "pixels"]),
     (Unit::Length(LengthUnit::Millimetre), &["mm", "millimeters"]),
     (Unit::Length(LengthUnit::Centimetre), &["cm", "centimeter"]),
-    (Unit::Length(LengthUnit::Metre), &["m", "meters"]),
+    (Unit::Length(LengthUnit::Meter), &["m", "meters"]),
     (Unit::Length(LengthUnit::Inch), &["in", "\""]),
     (Unit::Length(LengthUnit::Foot), &["ft", "feet"]),
     (Unit::Micrometer, &["µm", "μm", "um", "microns"]),
@@ -82,7 +82,7 @@ fn every_field_of_the_form_is_in_its_assessment_its_link_and_its_report() {
     let report = Text.export(&Results {
         inputs: &inputs,
         assessment: &assessment,
-        unit: LengthUnit::Metre,
+        unit: LengthUnit::Meter,
     });
     let mut back = Inputs::default();
     assert!(link::apply(&fragment, &mut back));

@@ -1,92 +1,22 @@
-//! Images of the screens, compared with those in `snapshots/`: only where both are drawn by the same software, because no two
-//! renderers agree on every pixel. `snapshots/renderer.txt` names it.
+//! Comparing an image with the one in `snapshots/`, where `renderer.txt` says what drew them.
 
-use eframe::egui_wgpu::{RenderState, Renderer, RendererOptions, WgpuConfiguration, WgpuSetup};
-use eframe::wgpu::{self, Backends, DeviceType};
-use egui::mutex::RwLock;
-use egui_kittest::wgpu::{WgpuTestRenderer, default_wgpu_setup};
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{Rgb, RgbImage};
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, OnceLock};
 
 /// How far a red, green or blue of 0 to 255 may be off: 1 is another processor's rounding, 2 is another color.
 const TOLERANCE: u8 = 1;
+/// In it stands what drew the images.
+const RENDERER: &str = "renderer.txt";
 const HOW_TO_ACCEPT: &str = "If the screens should look like this now: UPDATE_SNAPSHOTS=1 cargo test --locked --test screens look";
-
-/// What draws the images. `None` where it would not draw them as it drew the ones to compare with. Then says why on the terminal,
-/// and in a file that `cargo xtask test` reads.
-pub fn renderer() -> Option<WgpuTestRenderer> {
-    static STATE: OnceLock<Option<RenderState>> = OnceLock::new();
-    let state = STATE.get_or_init(|| {
-        render_state()
-            .inspect_err(|reason| {
-                std::fs::write(output_folder().join("left-out.txt"), reason).unwrap();
-                // The harness keeps to itself what a test that passes says with eprintln!.
-                writeln!(std::io::stderr(), "left out: the images of the screens. {reason}").unwrap();
-            })
-            .ok()
-    });
-    let state = state.clone()?;
-    // One device for all of them, but each program has textures of its own.
-    let textures = Renderer::new(&state.device, state.target_format, RendererOptions::PREDICTABLE);
-    Some(WgpuTestRenderer::from_render_state(RenderState {
-        renderer: Arc::new(RwLock::new(textures)),
-        ..state
-    }))
-}
-
-/// Mesa's software renderer, in the version that drew the images. Err: a sentence, where that is not here.
-fn render_state() -> Result<RenderState, String> {
-    let mut setup = default_wgpu_setup();
-    if let WgpuSetup::CreateNew(new) = &mut setup {
-        // Unlike OpenGL, Vulkan offers the software renderer beside a graphics card too.
-        new.instance_descriptor.backends = Backends::VULKAN;
-        new.native_adapter_selector = Some(Arc::new(|adapters, _| {
-            let found = adapters.iter().find(|adapter| is_llvmpipe(adapter));
-            found.cloned().ok_or_else(|| "it is not here".to_owned())
-        }));
-    }
-    let instance = pollster::block_on(setup.new_instance());
-    let configuration = WgpuConfiguration {
-        wgpu_setup: setup,
-        ..WgpuConfiguration::default()
-    };
-    let state = RenderState::create(&configuration, &instance, None, RendererOptions::PREDICTABLE);
-    let state = pollster::block_on(state).map_err(|error| {
-        format!("They are compared where Mesa's llvmpipe draws with Vulkan (on Debian: apt-get install mesa-vulkan-drivers). {error}.")
-    })?;
-    check_version(&state.adapter.get_info().driver_info)?;
-    Ok(state)
-}
-
-fn is_llvmpipe(adapter: &wgpu::Adapter) -> bool {
-    let info = adapter.get_info();
-    info.device_type == DeviceType::Cpu && info.driver == "llvmpipe"
-}
-
-fn check_version(here: &str) -> Result<(), String> {
-    let here = format!("llvmpipe, {here}");
-    let file = snapshots().join("renderer.txt");
-    let drew = std::fs::read_to_string(&file).unwrap_or_default();
-    let drew = drew.trim();
-    if here == drew {
-        return Ok(());
-    }
-    if is_updating() {
-        std::fs::write(file, format!("{here}\n")).unwrap();
-        return Ok(());
-    }
-    Err(format!("They were drawn by {drew}, and here it would be {here}."))
-}
 
 fn is_updating() -> bool {
     std::env::var_os("UPDATE_SNAPSHOTS").is_some_and(|value| !value.is_empty() && value != "0")
 }
 
-/// Compares with the image of that name, or puts it in its place if that is asked for. Err: what is different, and where to look.
-pub fn compare(new: &RgbImage, name: &str) -> Result<(), String> {
+/// Compares what `renderer` drew with the image of that name, or puts it in its place if that is asked for. Err: what is
+/// different, and where to look.
+pub fn compare(new: &RgbImage, name: &str, renderer: &str) -> Result<(), String> {
     let file = snapshots().join(format!("{name}.png"));
     let [new_file, marked_file] = ["new", "marked"].map(|kind| output_folder().join(format!("{name}.{kind}.png")));
     for old_output in [&new_file, &marked_file] {
@@ -105,6 +35,7 @@ pub fn compare(new: &RgbImage, name: &str) -> Result<(), String> {
     };
     if is_updating() {
         save(new, &file);
+        std::fs::write(snapshots().join(RENDERER), format!("{renderer}\n")).unwrap();
         return Ok(());
     }
     save(new, &new_file);
@@ -130,9 +61,19 @@ fn differences(old: &RgbImage, new: &RgbImage) -> Result<(usize, RgbImage), Stri
     Ok((count, marked))
 }
 
-/// Fails with all that [`compare`] found.
-pub fn report(problems: &[String]) {
-    assert!(problems.is_empty(), "\n{}\n{HOW_TO_ACCEPT}", problems.join("\n"));
+/// Fails with all that [`compare`] found in what `renderer` drew.
+pub fn report(problems: &[String], renderer: &str) {
+    if problems.is_empty() {
+        return;
+    }
+    let drew = std::fs::read_to_string(snapshots().join(RENDERER)).unwrap_or_default();
+    let drew = drew.trim();
+    let versions = if drew == renderer {
+        String::new()
+    } else {
+        format!("The images to compare with were drawn by {drew}, the new ones by {renderer}.\n")
+    };
+    panic!("\n{}\n{versions}{HOW_TO_ACCEPT}", problems.join("\n"));
 }
 
 /// Writes a small file: for flat areas and letters no filter is the best one.
@@ -146,7 +87,8 @@ fn snapshots() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/screens/snapshots")
 }
 
-fn output_folder() -> PathBuf {
+/// Where it is left what differs.
+pub fn output_folder() -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("screens");
     std::fs::create_dir_all(&folder).unwrap();
     folder

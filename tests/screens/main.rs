@@ -4,11 +4,14 @@
     clippy::expect_used,
     clippy::panic,
     clippy::indexing_slicing,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
     missing_docs,
     reason = "tests"
 )]
 
 mod images;
+mod llvmpipe;
 mod snapshots;
 
 use depth_calculator::app::{App, Licenses, Platform};

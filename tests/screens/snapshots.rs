@@ -1,12 +1,13 @@
 //! How the screens look.
 
 use crate::images;
+use crate::llvmpipe::{self, Painter};
 use crate::{B, D, DESKTOP, FX, Machine, PHONE, Program, W_IMG, W_REAL, type_sigma};
 use egui::accesskit::Role;
 use egui::{Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use image::DynamicImage;
+use image::RgbImage;
 
 /// How much of a screen an image shows.
 #[derive(Clone, Copy)]
@@ -48,40 +49,40 @@ impl View {
     const fn only(self, part: Part) -> Self {
         Self { part, ..self }
     }
+
+    /// What is compared of the image of the window.
+    fn cut(self, mut image: RgbImage) -> RgbImage {
+        let Part::Middle = self.part else { return image };
+        let (left, height) = ((image.width() - DIALOG) / 2, image.height());
+        image::imageops::crop(&mut image, left, 0, DIALOG, height).to_image()
+    }
 }
 
 /// Compares a screen in several windows. `prepare` brings the program to where it is drawn.
 fn look(screen: &str, views: &[View], prepare: impl Fn(&mut Program)) {
     let mut problems = Vec::new();
+    let Some(renderer) = llvmpipe::version() else { return };
     for view in views {
-        let Some(mut program) = draw_in(*view) else { return };
+        let Some(painter) = Painter::new() else { return };
+        let mut program = open(*view, painter.clone());
         prepare(&mut program);
         program.harness.remove_cursor();
         if matches!(view.part, Part::Whole) {
             program.grow_to_contents(view.size);
         }
         program.harness.run();
-        let image = program.harness.render().unwrap();
-        let mut image = DynamicImage::from(image);
-        if matches!(view.part, Part::Middle) {
-            image = image.crop_imm((image.width() - DIALOG) / 2, 0, DIALOG, image.height());
-        }
-        let name = format!("{screen}-{}", view.name);
-        problems.extend(images::compare(&image.into_rgb8(), &name).err());
+        let image = view.cut(painter.draw(&program.harness.ctx, program.harness.output()));
+        problems.extend(images::compare(&image, &format!("{screen}-{}", view.name), renderer).err());
     }
-    images::report(&problems);
+    images::report(&problems, renderer);
 }
 
 /// Pixels that the widest dialog fits into.
 const DIALOG: u32 = 600;
 
-/// The program in a window whose image can be compared; nothing where none can.
-fn draw_in(view: View) -> Option<Program> {
-    let builder = Harness::builder()
-        .with_size(view.size)
-        .with_pixels_per_point(1.0)
-        .with_render_cursor(false)
-        .renderer(images::renderer()?);
+/// The program in a window, light or dark.
+fn open(view: View, painter: Painter) -> Program {
+    let builder = Harness::builder().with_size(view.size).with_pixels_per_point(1.0).renderer(painter);
     let machine = Machine {
         commit: Some("0123456789abcdef"),
         ..Machine::default()
@@ -94,7 +95,7 @@ fn draw_in(view: View) -> Option<Program> {
     let theme = if view.is_dark { "Dark" } else { "Light" };
     program.harness.get_by_label(theme).click();
     program.harness.run();
-    Some(program)
+    program
 }
 
 impl Program {

@@ -144,11 +144,9 @@ fn linked_crates() -> Result<Vec<Crate>, String> {
         let arguments = ["metadata", "--format-version", "1", "--locked", "--filter-platform", platform];
         let text = output(&mut cargo(&arguments)).ok_or("`cargo metadata` failed.")?;
         let metadata: Value = serde_json::from_str(&text).map_err(|error| format!("`cargo metadata` cannot be parsed: {error}."))?;
-        crates.extend(
-            linked(&metadata)
-                .into_iter()
-                .map(|one| ((one.name.clone(), one.version.clone()), one)),
-        );
+        let linked = linked(platform)?;
+        let names = packages(&metadata).map(|one| ((one.name.clone(), one.version.clone()), one));
+        crates.extend(names.filter(|(name, _)| linked.contains(name)));
     }
     Ok(crates.into_values().collect())
 }
@@ -161,27 +159,24 @@ fn string(value: &Value, key: &str) -> String {
     value.get(key).and_then(Value::as_str).unwrap_or_default().to_owned()
 }
 
-/// The crates of others that the program is linked from on one platform.
-fn linked(metadata: &Value) -> Vec<Crate> {
-    let nodes: BTreeMap<String, &Value> = list(metadata.get("resolve").unwrap_or(&Value::Null), "nodes")
-        .map(|node| (string(node, "id"), node))
-        .collect();
-    let program = list(metadata, "packages").find(|package| string(package, "name") == "depth-calculator");
-    let mut queue: Vec<String> = program.map(|program| string(program, "id")).into_iter().collect();
-    let mut seen: BTreeSet<String> = queue.iter().cloned().collect();
-    while let Some(id) = queue.pop() {
-        for dependency in nodes.get(&id).into_iter().flat_map(|node| list(node, "deps")) {
-            // Neither what tests need nor what only runs while the program is built.
-            let is_linked = list(dependency, "dep_kinds").any(|kind| kind.get("kind").is_none_or(Value::is_null));
-            let id = string(dependency, "pkg");
-            if is_linked && seen.insert(id.clone()) {
-                queue.push(id);
-            }
-        }
-    }
+/// Names and versions of what the program is linked from on one platform. `cargo metadata` does not know: it turns on every
+/// feature that tests need.
+fn linked(platform: &str) -> Result<BTreeSet<(String, String)>, String> {
+    let program = ["tree", "--locked", "--package", "depth-calculator", "--target", platform];
+    let format = ["--edges", "normal", "--prefix", "none", "--format", "{p}"];
+    let text = output(cargo(&program).args(format)).ok_or("`cargo tree` failed.")?;
+    let name = |line: &str| {
+        let mut words = line.split_whitespace();
+        Some((words.next()?.to_owned(), words.next()?.strip_prefix('v')?.to_owned()))
+    };
+    Ok(text.lines().filter_map(name).collect())
+}
+
+/// The crates of others.
+fn packages(metadata: &Value) -> impl Iterator<Item = Crate> {
     let is_ours = |package: &Value| package.get("source").is_none_or(Value::is_null);
     list(metadata, "packages")
-        .filter(|package| seen.contains(&string(package, "id")) && !is_ours(package))
+        .filter(move |package| !is_ours(package))
         .map(|package| Crate {
             name: string(package, "name"),
             version: string(package, "version"),
@@ -192,7 +187,6 @@ fn linked(metadata: &Value) -> Vec<Crate> {
                 .map(Path::to_path_buf)
                 .unwrap_or_default(),
         })
-        .collect()
 }
 
 /// The licenses that a crate is used under.

@@ -7,6 +7,7 @@ mod check;
 mod desktop;
 mod dist;
 mod files;
+mod images;
 mod licenses;
 mod lighthouse;
 mod origin;

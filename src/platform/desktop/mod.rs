@@ -34,8 +34,6 @@ pub fn main() -> ExitCode {
         .with_icon(icon().unwrap_or_default());
     let options = eframe::NativeOptions {
         viewport: placement.apply(window),
-        // Tests bring in another one, which would be the default.
-        renderer: eframe::Renderer::Glow,
         ..Default::default()
     };
     let is_open = Arc::new(AtomicBool::new(false));

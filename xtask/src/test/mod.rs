@@ -12,7 +12,7 @@ use crate::plan::Plan;
 use crate::prerequisites::{self, Needs};
 use crate::step::{cargo, root, run, step};
 use crate::table::{Outcome, Table};
-use crate::{desktop, dist, size};
+use crate::{desktop, dist, images, size};
 use choice::{Available, Choice, choose};
 use part::Part;
 
@@ -72,7 +72,11 @@ pub(crate) fn run_chosen(options: &Options) -> Result<(), String> {
 
     let mut table = Table::default();
     if choice.parts.contains(&Part::Rust) {
+        images::prepare(options.complete);
         table.run("rust", || rust(&choice.rust));
+        if let Some(reason) = images::left_out() {
+            table.leave_out("images", reason);
+        }
     }
     if choice.parts.contains(&Part::Desktop) {
         table.run("desktop", || desktop::test(options.complete));
