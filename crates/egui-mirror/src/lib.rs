@@ -54,8 +54,6 @@ mod number;
 mod page;
 mod roles;
 mod text;
-#[cfg(target_arch = "wasm32")]
-mod tree;
 
 #[cfg(test)]
 mod tests;

@@ -60,7 +60,6 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
                 if let Err(error) = egui_mirror::Mirror::install_with(&creation.egui_ctx, &mirrored, options) {
                     log::error!("The page works, but not with a screen reader: {}", browser::sentence(&error));
                 }
-                expose_mirror();
                 listen(&creation.egui_ctx);
                 Ok(Box::new(App::new(creation, Box::new(Browser::default()))))
             }),
@@ -78,21 +77,6 @@ fn is_shortcut(key: &str, modifiers: egui::Modifiers) -> bool {
 fn copy_results(runner: &eframe::WebRunner, ctx: &egui::Context) -> bool {
     let app = runner.app_mut::<App>();
     app.map(|mut app| app.copy_results(ctx)).is_some()
-}
-
-/// Lets a test read what egui says (`accessibleMirror.tree()`), what page that makes (`description()`) and what the page
-/// beside the canvas says (`readBack()`): the last two must be equal.
-fn expose_mirror() {
-    let mirror = js_sys::Object::new();
-    let offer = |name: &str, read: fn() -> String| {
-        let reader = Closure::<dyn Fn() -> String>::new(read).into_js_value();
-        // Only a frozen page could refuse, and then there is no test to notice.
-        let _ = js_sys::Reflect::set(&mirror, &name.into(), &reader);
-    };
-    offer("description", egui_mirror::Mirror::description);
-    offer("readBack", egui_mirror::Mirror::read_back);
-    offer("tree", egui_mirror::Mirror::tree);
-    let _ = js_sys::Reflect::set(&js_sys::global(), &"accessibleMirror".into(), &mirror);
 }
 
 /// Listens to what the browser says and eframe does not hear, as long as the page lives.

@@ -28,7 +28,6 @@ pub(crate) struct Dom {
     elements: Elements,
     options: Options,
     nodes: Nodes,
-    root: NodeId,
     view: Option<View>,
     page: Page,
 }
@@ -74,7 +73,6 @@ impl Dom {
             host,
             options,
             nodes: Nodes::new(),
-            root: NodeId(0),
             view: None,
             page: Page::default(),
         })
@@ -151,7 +149,6 @@ impl Dom {
                 self.lay_over_canvas();
             }
             self.view = Some(view);
-            self.root = root;
             if !same_nodes {
                 self.nodes = update.nodes.into_iter().collect();
             }
@@ -267,18 +264,5 @@ impl Dom {
         if self.nodes.get(&id).and_then(accesskit::Node::text_selection) != Some(&wanted) {
             act(&self.ctx, id, Action::SetTextSelection, Some(ActionData::SetTextSelection(wanted)));
         }
-    }
-
-    /// The AccessKit tree that the page was made from, as [`crate::tree::text`] writes it.
-    pub(crate) fn tree(&self) -> String {
-        let scale = self.view.map_or(1.0, |view| view.scale);
-        crate::tree::text(&self.nodes, self.root, 1.0 / f64::from(scale))
-    }
-
-    /// The page as text, from what the browser holds.
-    pub(crate) fn read_back(&self) -> String {
-        let mut text = String::new();
-        super::read_back::read(self.host.content(), 0, &mut text);
-        text
     }
 }

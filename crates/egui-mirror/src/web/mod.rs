@@ -19,7 +19,6 @@ mod listener;
 mod options;
 mod plugin;
 mod pointer;
-mod read_back;
 mod signals;
 mod timer;
 

@@ -49,23 +49,6 @@ impl Mirror {
         ctx.add_plugin(Plugin);
         Ok(())
     }
-
-    /// The page as text, one line per element, as egui described it last: for tests and for bug reports.
-    pub fn description() -> String {
-        with(|mirror| mirror.dom.page().to_string()).unwrap_or_default()
-    }
-
-    /// The AccessKit tree that egui gave last, as text, for a test that compares it with what the browser tells assistive
-    /// technology. Nodes end with U+001E, what is said of one with U+001F: the `id` of its element, role, label, value,
-    /// description, the elements that name it, states, and bounds in CSS pixels.
-    pub fn tree() -> String {
-        with(|mirror| mirror.dom.tree()).unwrap_or_default()
-    }
-
-    /// The page as text, read back from the browser. It equals [`Mirror::description`], or the mirror has a fault.
-    pub fn read_back() -> String {
-        with(|mirror| mirror.dom.read_back()).unwrap_or_default()
-    }
 }
 
 struct Plugin;
