@@ -11,6 +11,8 @@ fn start(variables: &[(&str, &str)]) -> Output {
         .env_remove("WAYLAND_DISPLAY")
         .env_remove("WAYLAND_SOCKET")
         .env("RUST_BACKTRACE", "0")
+        // Where zenity is installed, a failure would wait in a box that nobody closes.
+        .env("PATH", "/nonexistent")
         .envs(variables.iter().copied())
         .output()
         .unwrap()

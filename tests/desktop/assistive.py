@@ -90,9 +90,11 @@ def everything():
 class Program:
     """The program under test. Whatever is waited for, it must be running."""
 
-    def __init__(self, path, errors):
+    def __init__(self, path, errors, home):
         self.errors = errors
-        self.process = subprocess.Popen([path], stderr=errors)
+        # It finds no other program: where zenity is installed, a failure would wait in a box that nobody closes.
+        nowhere = str(Path(home, "nowhere"))
+        self.process = subprocess.Popen([path], stderr=errors, env=os.environ | {"PATH": nowhere})
 
     def check(self):
         code = self.process.poll()
@@ -160,7 +162,7 @@ def inside_session(path, home):
     """The test, in a D-Bus session of its own."""
     with tempfile.TemporaryFile("w+", encoding="utf-8") as errors:
         announce_screen_reader()
-        program = Program(path, errors)
+        program = Program(path, errors, home)
         try:
             Atspi.init()
             use(program, home)

@@ -99,7 +99,7 @@ impl Platform for Browser {
 
     fn forced_colors(&mut self) -> Option<SystemColors> {
         if COLORS_CHANGED.take() {
-            self.forced_colors = if super::matches("(forced-colors: active)") {
+            self.forced_colors = if matches("(forced-colors: active)") {
                 system_colors()
             } else {
                 None
@@ -210,4 +210,10 @@ pub(super) fn sentence(error: &JsValue) -> String {
         text.push('.');
     }
     text
+}
+
+/// Whether a media query of CSS holds now.
+pub fn matches(query: &str) -> bool {
+    let list = web_sys::window().and_then(|window| window.match_media(query).ok().flatten());
+    list.is_some_and(|list| list.matches())
 }
