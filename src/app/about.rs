@@ -1,9 +1,9 @@
 //! What the program is, and under which licenses it and everything in it may be used.
 
 use super::command::Command;
+use super::platform::{Licenses, Platform};
 use super::theme::{self, Layout};
 use super::widgets::text;
-use super::{Licenses, Platform};
 use egui::{Button, Modal, Ui, vec2};
 
 /// The button that opens the dialog.

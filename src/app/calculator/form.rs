@@ -1,8 +1,8 @@
 //! The form: five fields, the buttons, the examples, and the ways to ask for more.
 
-use super::helpers::Helper;
 use super::unknown;
-use crate::app::command::Command;
+use crate::app::command::{Command, Helper};
+use crate::app::platform::COPY_RESULTS;
 use crate::app::theme::{self, Layout};
 use crate::app::widgets::quantity_field::{self, Around};
 use crate::app::widgets::text;
@@ -95,7 +95,7 @@ fn buttons(ui: &mut Ui, height: f32, commands: &mut Vec<Command>) {
         for (name, wanted) in [("Reset", Command::Reset), ("Copy Results", Command::CopyResults)] {
             let button = ui.add_sized(vec2(width, height), Button::new(name));
             if wanted == Command::CopyResults {
-                ui.accesskit_node_builder(button.id, |node| node.set_author_id(crate::app::COPY_RESULTS));
+                ui.accesskit_node_builder(button.id, |node| node.set_author_id(COPY_RESULTS));
             }
             if button.clicked() {
                 commands.push(wanted);

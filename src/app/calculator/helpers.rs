@@ -3,7 +3,7 @@
 //!
 //! A [`Way`] is a row of a table: what it asks for, what it computes, and which field takes the result.
 
-use crate::app::command::Command;
+use crate::app::command::{Command, Helper};
 use crate::app::saved::Texts;
 use crate::app::theme::{self, Layout};
 use crate::app::widgets::number_field::{NumberField, Unit};
@@ -19,25 +19,7 @@ use crate::formats::number::{self, plain, significant};
 use crate::formats::q_matrix;
 use egui::{Button, ComboBox, Modal, RichText, Stroke, TextEdit, Ui, vec2};
 
-/// A helper.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Helper {
-    /// Where a focal length comes from.
-    FocalLength,
-    /// What a program calls a disparity, and doffs.
-    Disparity,
-}
-
 impl Helper {
-    /// The helper that is offered at `field`, and what its link says.
-    pub const fn at(field: Field) -> Option<(Self, &'static str)> {
-        match field {
-            Field::FocalLength => Some((Self::FocalLength, "from lens, FOV or Q…")),
-            Field::Disparity => Some((Self::Disparity, "OpenCV ×16, doffs…")),
-            _ => None,
-        }
-    }
-
     const fn title(self) -> &'static str {
         match self {
             Self::FocalLength => "Where does the focal length come from?",
@@ -506,17 +488,6 @@ fn use_button(ui: &mut Ui, label: &str, enabled: bool, height: f32) -> bool {
         .min_size(vec2(0.0, height));
     ui.add_enabled(enabled, button).clicked()
 }
-
-/// The matching errors that people state, with where they state them, to choose a σ of the disparity from.
-pub const MATCHING_ERRORS: [(&str, &str); 7] = [
-    ("0.08", "RealSense on good texture (librealsense #3904)"),
-    ("0.15", "Point Grey, by mask size 0.10 to 0.18"),
-    ("0.2", "Point Grey (knowledge base 10102)"),
-    ("0.25", "common (Carnegie Robotics)"),
-    ("0.4", "mrcal, 0.3 to 0.5"),
-    ("0.5", "limit (Carnegie Robotics)"),
-    ("1.3", "mrcal with a poor lens model"),
-];
 
 #[cfg(test)]
 mod tests {

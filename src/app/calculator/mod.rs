@@ -4,14 +4,14 @@ mod bars;
 mod curve;
 mod form;
 pub mod geometry;
-pub mod helpers;
+mod helpers;
 mod results;
 mod table;
 mod top_view;
 mod uncertainty;
 mod unknown;
 
-use super::command::Command;
+use super::command::{Command, Helper};
 use super::saved::Settings;
 use super::sheet::Sheet;
 use super::theme::{self, Layout};
@@ -29,7 +29,7 @@ pub struct Calculator {
     /// Bring the results into view in the next frame.
     pub reveal_results: bool,
     /// The helper that is open.
-    pub helper: Option<helpers::Helper>,
+    pub helper: Option<Helper>,
     curve: curve::Curve,
     simulations: uncertainty::Simulations,
 }

@@ -1,11 +1,12 @@
 //! A field for one quantity: name, text, unit, hint, and what is wrong with it.
 
-use crate::app::calculator::helpers::{Helper, MATCHING_ERRORS};
-use crate::app::command::Command;
+use crate::app::command::{Command, Helper};
 use crate::app::theme;
+use crate::core::disparity::MATCHING_ERRORS;
 use crate::core::problem::Field;
 use crate::core::quantity::LengthUnit;
 use crate::formats::inputs::{Inputs, Note, Severity, Unknown, example_text, hint};
+use crate::formats::number::plain;
 use crate::formats::report;
 use egui::accesskit::Role;
 use egui::text::{CCursor, CCursorRange};
@@ -222,9 +223,10 @@ fn typical_errors(ui: &mut Ui, inputs: &mut Inputs, field: Field, height: f32, c
         .width(ui.available_width())
         .selected_text("Typical matching errors…")
         .show_ui(ui, |ui| {
-            for (sigma, source) in MATCHING_ERRORS {
+            for error in MATCHING_ERRORS {
+                let sigma = plain(error.sigma.px());
                 if ui
-                    .selectable_label(inputs.sigma(field) == sigma, format!("± {sigma} px: {source}"))
+                    .selectable_label(inputs.sigma(field) == sigma, format!("± {sigma} px: {}", error.source))
                     .clicked()
                 {
                     inputs.set_sigma(field, sigma);

@@ -52,7 +52,7 @@ pub fn main() -> ExitCode {
     match failure::heard(run, move || is_open.load(Ordering::Relaxed)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            failure::show(&failure);
+            failure::show(&failure, NAME);
             ExitCode::FAILURE
         }
     }

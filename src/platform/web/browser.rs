@@ -99,7 +99,7 @@ impl Platform for Browser {
 
     fn forced_colors(&mut self) -> Option<SystemColors> {
         if COLORS_CHANGED.take() {
-            self.forced_colors = if super::matches("(forced-colors: active)") {
+            self.forced_colors = if super::page::matches("(forced-colors: active)") {
                 system_colors()
             } else {
                 None

@@ -108,7 +108,7 @@ fn listen(ctx: &egui::Context) {
     const CALM: &str = "(prefers-reduced-motion: reduce)";
     let (calmed, usual) = (ctx.clone(), ctx.style_of(egui::Theme::Light));
     let follow = move || {
-        let calm = matches(CALM);
+        let calm = page::matches(CALM);
         calmed.all_styles_mut(|style| {
             style.animation_time = if calm { 0.0 } else { usual.animation_time };
             style.scroll_animation = if calm {
@@ -132,12 +132,6 @@ fn listen(ctx: &egui::Context) {
             });
         }
     }
-}
-
-/// Whether a media query of CSS holds now.
-fn matches(query: &str) -> bool {
-    let list = web_sys::window().and_then(|window| window.match_media(query).ok().flatten());
-    list.is_some_and(|list| list.matches())
 }
 
 fn on(target: &web_sys::EventTarget, event: &str, act: impl FnMut(web_sys::Event) + 'static) {
