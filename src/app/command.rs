@@ -1,20 +1,12 @@
 //! What a person can want. Screens add [`Command`]s to a list, as one click can be two things (a field is left, a button is
 //! pressed); `App::logic` is the one place that carries them out, in order.
 
+use super::dialog::Dialog;
 use super::saved::Screen;
 use crate::core::problem::Field;
 use crate::core::quantity::{LengthUnit, Pixels};
 use crate::formats::inputs::{Entry, Inputs};
 use egui::ThemePreference;
-
-/// What can stand over the screen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Dialog {
-    /// The list of keys.
-    Keys,
-    /// What the program is, and its licenses.
-    About,
-}
 
 /// A dialog of the calculator that knows where a number comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

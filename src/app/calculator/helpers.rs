@@ -4,6 +4,7 @@
 //! A [`Way`] is a row of a table: what it asks for, what it computes, and which field takes the result.
 
 use crate::app::command::{Command, Helper};
+use crate::app::dialog::{DialogFrame, close_button};
 use crate::app::saved::Texts;
 use crate::app::theme::{self, Layout};
 use crate::app::widgets::number_field::{NumberField, Unit};
@@ -17,7 +18,7 @@ use crate::core::quantity::{Length, LengthUnit, Pixels};
 use crate::formats::inputs::{Entry, Inputs, Severity};
 use crate::formats::number::{self, plain, significant};
 use crate::formats::q_matrix;
-use egui::{Button, ComboBox, Modal, RichText, Stroke, TextEdit, Ui, vec2};
+use egui::{Button, ComboBox, RichText, Stroke, TextEdit, Ui, vec2};
 
 impl Helper {
     const fn title(self) -> &'static str {
@@ -298,25 +299,25 @@ const Q_MATRIX: &str = "A Q matrix of stereoRectify";
 
 /// Draws the helper over the screen.
 pub fn show(ui: &Ui, layout: Layout, helper: Helper, inputs: &Inputs, texts: &mut Texts, commands: &mut Vec<Command>) {
-    let palette = theme::palette(ui);
     let height = layout.control_height();
-    let response = Modal::new(egui::Id::unique("helper"))
-        .frame(theme::card(palette))
-        .show(ui.ctx(), |ui| {
-            ui.set_width((ui.ctx().content_rect().width() - 72.0).min(440.0));
-            ui.spacing_mut().interact_size.y = height;
-            text::heading(ui, helper.title(), 2, theme::strong(17.0), palette.text);
-            ui.add_space(2.0 * theme::STEP);
-            scroll::up_to(ui, ui.ctx().content_rect().height() - 180.0, |ui| {
-                let way = choose_way(ui, helper, texts);
-                match way {
-                    Some(way) => ask_way(ui, way, texts, height, commands),
-                    None => ask_q_matrix(ui, inputs, texts, height, commands),
-                }
-            });
-            ui.add_space(theme::STEP);
-            ui.add_sized(vec2(96.0, height), Button::new("Cancel")).clicked()
+    let frame = DialogFrame {
+        id: "helper",
+        title: helper.title(),
+        max_width: 440.0,
+    };
+    let response = frame.show(ui, |ui| {
+        ui.spacing_mut().interact_size.y = height;
+        ui.add_space(2.0 * theme::STEP);
+        scroll::up_to(ui, ui.ctx().content_rect().height() - 180.0, |ui| {
+            let way = choose_way(ui, helper, texts);
+            match way {
+                Some(way) => ask_way(ui, way, texts, height, commands),
+                None => ask_q_matrix(ui, inputs, texts, height, commands),
+            }
         });
+        ui.add_space(theme::STEP);
+        close_button(ui, "Cancel", layout)
+    });
     if response.inner || response.should_close() {
         commands.push(Command::Help(None));
     }

@@ -13,11 +13,11 @@ mod unknown;
 
 use super::command::{Command, Helper};
 use super::saved::Settings;
-use super::sheet::Sheet;
+use super::session::Session;
 use super::theme::{self, Layout};
-use super::widgets::{cards, scroll, text};
+use super::widgets::{cards, quantity_field, scroll, text};
 use crate::core::quantity::LengthUnit;
-use crate::formats::inputs::Assessment;
+use crate::formats::inputs::{Assessment, Severity};
 use crate::formats::report;
 use egui::{Align, Id, RichText, Ui};
 
@@ -35,15 +35,15 @@ pub struct Calculator {
 }
 
 impl Calculator {
-    /// Draws the screen. The sheet is refreshed after the form, so that the results belong to what is in it now.
-    pub fn show(&mut self, ui: &mut Ui, layout: Layout, sheet: &mut Sheet, settings: &mut Settings, commands: &mut Vec<Command>) {
+    /// Draws the screen. The session is refreshed after the form, so that the results belong to what is in it now.
+    pub fn show(&mut self, ui: &mut Ui, layout: Layout, session: &mut Session, settings: &mut Settings, commands: &mut Vec<Command>) {
         let gap = layout.gap();
         match layout {
             Layout::Phone => {
                 scroll::column(ui, "calculator", |ui| {
                     ui.spacing_mut().item_spacing.y = gap;
-                    self.form(ui, layout, sheet, settings, commands);
-                    self.results(ui, layout, sheet, settings, commands);
+                    self.form(ui, layout, session, settings, commands);
+                    self.results(ui, layout, session, settings, commands);
                 });
             }
             Layout::Tablet | Layout::Desktop | Layout::Wide => {
@@ -59,14 +59,31 @@ impl Calculator {
                         });
                     });
                 };
-                column(ui, left, "form", &mut |ui| self.form(ui, layout, sheet, settings, commands));
+                column(ui, left, "form", &mut |ui| self.form(ui, layout, session, settings, commands));
                 column(ui, right.with_min_x(right.left() + gap), "results", &mut |ui| {
-                    self.results(ui, layout, sheet, settings, commands);
+                    self.results(ui, layout, session, settings, commands);
                 });
             }
         }
         if let Some(helper) = self.helper {
-            helpers::show(ui, layout, helper, &sheet.inputs, &mut settings.texts, commands);
+            helpers::show(ui, layout, helper, &session.inputs, &mut settings.texts, commands);
+        }
+    }
+
+    /// Marks every problem, and goes to the first, or on a phone to the results where there is none.
+    pub fn calculate(&mut self, ctx: &egui::Context, session: &Session) {
+        self.marked = true;
+        let errors = session
+            .assessment()
+            .notes
+            .iter()
+            .filter(|note| note.severity == Severity::Error)
+            .map(|note| note.field);
+        let missing = session.inputs.missing();
+        let first = errors.chain(missing.iter().map(|note| note.field)).min();
+        match first {
+            Some(field) => ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(field))),
+            None => self.reveal_results = Layout::of_width(ctx.content_rect().width()) == Layout::Phone,
         }
     }
 
@@ -75,19 +92,19 @@ impl Calculator {
         self.simulations.advance(assessment)
     }
 
-    fn form(&mut self, ui: &mut Ui, layout: Layout, sheet: &mut Sheet, settings: &Settings, commands: &mut Vec<Command>) {
-        let (inputs, assessment) = sheet.parts();
+    fn form(&mut self, ui: &mut Ui, layout: Layout, session: &mut Session, settings: &Settings, commands: &mut Vec<Command>) {
+        let (inputs, assessment) = session.parts();
         form::show(ui, layout, inputs, assessment, self.marked, settings.shows_geometry, commands);
-        if sheet.refresh() {
+        if session.refresh() {
             // Something is being typed: what is still missing is no news any more.
             self.marked = false;
         }
     }
 
-    fn results(&mut self, ui: &mut Ui, layout: Layout, sheet: &Sheet, settings: &mut Settings, commands: &mut Vec<Command>) {
+    fn results(&mut self, ui: &mut Ui, layout: Layout, session: &Session, settings: &mut Settings, commands: &mut Vec<Command>) {
         let unit = settings.result_unit;
-        let assessment = sheet.assessment();
-        let inputs_unit = sheet.inputs.unknown.and_then(|(_, field)| sheet.inputs.unit(field));
+        let assessment = session.assessment();
+        let inputs_unit = session.inputs.unknown.and_then(|(_, field)| session.inputs.unit(field));
         let gap = layout.gap();
         let solution = &assessment.solution;
         let top = ui.cursor().min;

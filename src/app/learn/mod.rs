@@ -3,7 +3,8 @@
 mod document;
 
 use super::about;
-use super::command::{Command, Dialog};
+use super::command::Command;
+use super::dialog::Dialog;
 use super::theme::{self, Layout};
 use super::widgets::{scroll, text};
 use document::DOCUMENT;

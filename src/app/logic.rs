@@ -1,0 +1,194 @@
+//! What happens between frames: commands are carried out, what the platform tells is taken up, and what changed is stored.
+
+use super::App;
+use super::calculator::geometry;
+use super::command::Command;
+use super::notice::Notice;
+use super::saved::{Saved, Screen};
+use super::theme::{self, Layout};
+use super::widgets::quantity_field;
+use crate::core::problem::Field;
+use crate::formats::inputs::{Entry, Inputs};
+use crate::formats::{link, number, report};
+
+impl App {
+    /// Everything that happens between two frames.
+    pub(super) fn update(&mut self, ctx: &egui::Context) {
+        if let Some(fragment) = self.platform.link() {
+            self.carry_out(ctx, Command::Follow(fragment));
+        }
+        for command in std::mem::take(&mut self.pending) {
+            self.carry_out(ctx, command);
+        }
+        match self.platform.copied() {
+            Some(Ok(())) => self.say("Results copied to the clipboard.", None),
+            Some(Err(reason)) => self.say(&reason, None),
+            None => {}
+        }
+        let colors = self.platform.forced_colors();
+        if colors != self.system_colors {
+            self.system_colors = colors;
+            theme::force(ctx, colors);
+        }
+        if self.platform.stored_elsewhere() {
+            self.say(
+                "Another tab changed what is stored. Both go on; what is changed last is what a reload brings back. To keep these numbers, change something here, or copy them.",
+                None,
+            );
+        }
+        if self.calculator.simulate(self.session.assessment()) {
+            ctx.request_repaint();
+        }
+        self.store();
+    }
+
+    /// The one place where commands take effect.
+    pub(super) fn carry_out(&mut self, ctx: &egui::Context, command: Command) {
+        if let Command::Follow(fragment) = &command {
+            let mut inputs = self.session.inputs.clone();
+            // One that names nothing changes nothing.
+            if link::apply(fragment, &mut inputs) {
+                self.carry_out(ctx, Command::Open(Box::new(inputs), "The link filled in the fields that it names."));
+            }
+            return;
+        }
+        if !matches!(
+            command,
+            Command::DragDisparity(_) | Command::CopyResults | Command::Show(_) | Command::Theme(_)
+        ) {
+            self.session.settle();
+        }
+        if !matches!(command, Command::Settle | Command::Theme(_)) {
+            self.notice = None;
+        }
+        match command {
+            Command::Settle | Command::Dismiss | Command::Follow(_) => {}
+            Command::Calculate => self.calculator.calculate(ctx, &self.session),
+            Command::Reset => self.reset(),
+            Command::Open(inputs, said) => self.open(ctx, *inputs, said),
+            Command::Undo => self.undo(),
+            Command::Redo => self.redo(),
+            Command::CopyResults => {
+                let text = report::report(&self.session.inputs, self.session.assessment(), self.settings.result_unit);
+                self.platform.copy(ctx, text);
+            }
+            Command::Fix(field, entry) => self.fix(ctx, field, entry),
+            Command::DragDisparity(disparity) => self.session.inputs.entry_mut(Field::Disparity).text = number::plain(disparity),
+            Command::ShowDialog(dialog) => self.dialog = dialog,
+            Command::Help(helper) => self.calculator.helper = helper,
+            Command::PrincipalPoint(cx, cy) => geometry::set_principal_point(&mut self.settings.texts, cx, cy),
+            Command::ShowGeometry(shown) => self.settings.shows_geometry = shown,
+            Command::Show(screen) => self.settings.screen = screen,
+            Command::ShowResultsIn(unit) => self.settings.result_unit = unit,
+            Command::Theme(theme) => {
+                self.settings.theme = theme;
+                ctx.set_theme(theme);
+            }
+        }
+        self.session.refresh();
+        ctx.request_repaint();
+    }
+
+    fn reset(&mut self) {
+        if self.session.inputs.is_blank() {
+            self.say("There was nothing to clear.", None);
+        } else {
+            self.say("All fields are cleared.", Some(("Undo", Command::Undo)));
+        }
+        self.session.inputs = Inputs::default();
+        self.calculator.marked = false;
+    }
+
+    fn open(&mut self, ctx: &egui::Context, inputs: Inputs, said: &str) {
+        let replaced = !self.session.inputs.is_blank();
+        self.session.inputs = inputs;
+        self.settings.screen = Screen::Calculator;
+        self.calculator.reveal_results = Layout::of_width(ctx.content_rect().width()) == Layout::Phone;
+        self.calculator.helper = None;
+        self.say(said, replaced.then_some(("Undo", Command::Undo)));
+    }
+
+    fn undo(&mut self) {
+        if self.session.undo() {
+            self.say("Undone.", Some(("Redo", Command::Redo)));
+        } else {
+            self.say("There is nothing to undo.", None);
+        }
+    }
+
+    fn redo(&mut self) {
+        if self.session.redo() {
+            self.say("Done again.", Some(("Undo", Command::Undo)));
+        } else {
+            self.say("There is nothing to do again.", None);
+        }
+    }
+
+    fn fix(&mut self, ctx: &egui::Context, field: Field, entry: Entry) {
+        let inputs = &mut self.session.inputs;
+        *inputs.entry_mut(field) = entry;
+        inputs.tidy(field);
+        self.calculator.helper = None;
+        ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(field)));
+    }
+
+    fn say(&mut self, text: &str, action: Option<(&'static str, Command)>) {
+        self.notice = Some(Notice {
+            text: text.to_owned(),
+            action,
+        });
+    }
+
+    /// Whether storage holds everything that was entered and chosen.
+    pub(super) fn is_stored(&self) -> bool {
+        self.stored.inputs == self.session.inputs && self.stored.settings == self.settings
+    }
+
+    /// Starts without what is in storage, which cannot be used for `reason`.
+    pub(super) fn start_fresh(&mut self, reason: &str) {
+        let Err(obstacle) = self.set_aside_unreadable(reason) else { return };
+        // Often both are the same.
+        let obstacle = if obstacle == reason {
+            String::new()
+        } else {
+            format!(" {obstacle}")
+        };
+        self.say(
+            &format!("{reason}{obstacle} The program works, but forgets what you enter when it is closed: copy your results to keep them."),
+            None,
+        );
+    }
+
+    /// Moves away what could not be read, for `reason`, and says where it is.
+    fn set_aside_unreadable(&mut self, reason: &str) -> Result<(), String> {
+        if self.holds_unreadable {
+            let kept = self.platform.set_aside()?;
+            self.holds_unreadable = false;
+            if let Some(place) = kept {
+                self.say(&format!("{reason} The old text is kept {place}."), None);
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes what changed. A failure is said once.
+    fn store(&mut self) {
+        if self.is_stored() {
+            return;
+        }
+        self.stored = Saved {
+            inputs: self.session.inputs.clone(),
+            settings: self.settings.clone(),
+        };
+        let outcome = self
+            .set_aside_unreadable("There is room again for what you enter.")
+            .and_then(|()| self.stored.to_text())
+            .and_then(|text| self.platform.save(&text));
+        if let Err(reason) = outcome {
+            self.say(
+                &format!("{reason} What you enter now may be gone after a restart: copy your results to keep them."),
+                None,
+            );
+        }
+    }
+}
