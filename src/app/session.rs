@@ -1,6 +1,10 @@
 //! What is typed, what follows from it, and the states before, for undo and redo.
 
 use crate::formats::inputs::{Assessment, Inputs};
+use egui::util::undoer::{Settings, Undoer};
+
+/// Steps of undo: nobody goes back further.
+const STEPS: usize = 200;
 
 /// The inputs, their assessment, which is computed once for each change, and the history of the inputs.
 #[derive(Debug)]
@@ -9,16 +13,23 @@ pub struct Session {
     pub inputs: Inputs,
     assessed: Inputs,
     assessment: Assessment,
-    history: History,
+    /// The finished states. Only [`Self::settle`] adds one: when an edit is finished is known here, so egui need not guess by time.
+    history: Undoer<Inputs>,
 }
 
 impl Session {
     /// A session that starts with `inputs`.
     pub fn new(inputs: Inputs) -> Self {
+        let mut history = Undoer::with_settings(Settings {
+            // The last one is the state as it is.
+            max_undos: STEPS + 1,
+            ..Settings::default()
+        });
+        history.add_undo(&inputs);
         Self {
             assessment: inputs.assess(),
             assessed: inputs.clone(),
-            history: History::new(inputs.clone()),
+            history,
             inputs,
         }
     }
@@ -45,18 +56,20 @@ impl Session {
 
     /// Takes the inputs for a finished state: what changed since the last one is one step of undo.
     pub fn settle(&mut self) {
-        self.history.settle(&self.inputs);
+        // Forgets the states to redo where there was an edit; `add_undo` alone keeps them.
+        self.history.feed_state(0.0, &self.inputs);
+        self.history.add_undo(&self.inputs);
     }
 
     /// Goes back to the finished state before. Returns whether there is one.
     pub fn undo(&mut self) -> bool {
-        let before = self.history.undo();
+        let before = self.history.undo(&self.inputs).cloned();
         self.replace(before)
     }
 
     /// Goes forward to the state that was left by [`Self::undo`]. Returns whether there is one.
     pub fn redo(&mut self) -> bool {
-        let after = self.history.redo();
+        let after = self.history.redo(&self.inputs).cloned();
         self.replace(after)
     }
 
@@ -64,49 +77,6 @@ impl Session {
         let Some(inputs) = inputs else { return false };
         self.inputs = inputs;
         true
-    }
-}
-
-/// Finished states of the inputs.
-#[derive(Debug)]
-struct History {
-    now: Inputs,
-    past: Vec<Inputs>,
-    future: Vec<Inputs>,
-}
-
-impl History {
-    /// Nobody goes back further.
-    const DEPTH: usize = 200;
-
-    const fn new(now: Inputs) -> Self {
-        Self {
-            now,
-            past: Vec::new(),
-            future: Vec::new(),
-        }
-    }
-
-    fn settle(&mut self, inputs: &Inputs) {
-        if *inputs != self.now {
-            self.past.push(std::mem::replace(&mut self.now, inputs.clone()));
-            self.future.clear();
-            if self.past.len() > Self::DEPTH {
-                self.past.remove(0);
-            }
-        }
-    }
-
-    fn undo(&mut self) -> Option<Inputs> {
-        let before = self.past.pop()?;
-        self.future.push(std::mem::replace(&mut self.now, before));
-        Some(self.now.clone())
-    }
-
-    fn redo(&mut self) -> Option<Inputs> {
-        let after = self.future.pop()?;
-        self.past.push(std::mem::replace(&mut self.now, after));
-        Some(self.now.clone())
     }
 }
 
