@@ -1,56 +1,46 @@
-//! Where numbers come from: a focal length from a lens, a field of view or a photograph; a disparity from what a program
-//! stored; everything from a Q matrix.
+//! The ways to a number, as a table: a focal length from a lens, a field of view or a photograph; a disparity from what a program
+//! stored; doffs.
 //!
-//! A [`Way`] is a row of a table: what it asks for, what it computes, and which field takes the result.
+//! A [`Way`] is a row: what it asks for, what it computes, and which field takes the result.
 
-use crate::app::command::{Command, Helper};
-use crate::app::dialog::{DialogFrame, close_button};
-use crate::app::saved::Texts;
-use crate::app::theme::{self, Layout};
-use crate::app::widgets::number_field::{NumberField, Unit};
-use crate::app::widgets::{scroll, text};
+use crate::app::command::Helper;
 use crate::core::angle::Angle;
-use crate::core::camera::{self, Intrinsics, SENSOR_FORMATS};
+use crate::core::camera::{self, Intrinsics};
 use crate::core::disparity::{self, Encoding, NoDisparity, SubpixelBits};
 use crate::core::measured::Measured;
 use crate::core::problem::Field;
 use crate::core::quantity::{Length, LengthUnit, Pixels};
-use crate::formats::inputs::{Entry, Inputs, Severity};
-use crate::formats::number::{self, plain, significant};
-use crate::formats::q_matrix;
-use egui::{Button, ComboBox, RichText, Stroke, TextEdit, Ui, vec2};
 
-impl Helper {
-    const fn title(self) -> &'static str {
-        match self {
-            Self::FocalLength => "Where does the focal length come from?",
-            Self::Disparity => "What is known of the disparity?",
-        }
-    }
-
-    const fn ways(self) -> &'static [Way] {
-        match self {
-            Self::FocalLength => FOCAL_LENGTH,
-            Self::Disparity => DISPARITY,
-        }
+/// The ways that `helper` offers.
+pub const fn of(helper: Helper) -> &'static [Way] {
+    match helper {
+        Helper::FocalLength => FOCAL_LENGTH,
+        Helper::Disparity => DISPARITY,
     }
 }
 
 /// A number that a way asks for.
-struct Ask {
-    name: &'static str,
-    unit: &'static str,
-    example: &'static str,
+pub struct Ask {
+    /// The label of its field.
+    pub name: &'static str,
+    /// The symbol of its unit, or nothing.
+    pub unit: &'static str,
+    /// What is shown while the field is empty.
+    pub example: &'static str,
 }
 
 /// One way to a number.
-struct Way {
-    name: &'static str,
-    remark: &'static str,
-    asks: &'static [Ask],
-    field: Field,
-    /// The result in px from the numbers asked for, in their order; or what is wrong.
-    compute: fn(&[f64]) -> Result<f64, String>,
+pub struct Way {
+    /// What it is called in the list of ways.
+    pub name: &'static str,
+    /// The formula, and what to mind.
+    pub remark: &'static str,
+    /// The numbers that it asks for.
+    pub asks: &'static [Ask],
+    /// The field that takes the result.
+    pub field: Field,
+    /// The result in px from the numbers asked for, in their order; or what is wrong, empty where a number is missing.
+    pub compute: fn(&[f64]) -> Result<f64, String>,
 }
 
 const fn ask(name: &'static str, unit: &'static str, example: &'static str) -> Ask {
@@ -163,7 +153,8 @@ const FOCAL_LENGTH: &[Way] = &[
     },
 ];
 
-const SENSOR_WIDTH: Ask = ask("Width of the sensor", "mm", "4.8");
+/// The field beside which common sensor formats are offered.
+pub const SENSOR_WIDTH: Ask = ask("Width of the sensor", "mm", "4.8");
 
 const RAW: Ask = ask("Stored value", "", "800");
 
@@ -269,8 +260,8 @@ const DISPARITY: &[Way] = &[
     },
 ];
 
-fn mm(millimetres: f64) -> Length {
-    Length::new(millimetres, LengthUnit::Millimetre)
+fn mm(millimeters: f64) -> Length {
+    Length::new(millimeters, LengthUnit::Millimetre)
 }
 
 fn incomplete() -> Result<f64, String> {
@@ -294,213 +285,13 @@ fn decoded(encoding: Encoding, stored: f64) -> Result<f64, String> {
     })
 }
 
-/// The choice of Q matrix stands beside the ways to a focal length.
-const Q_MATRIX: &str = "A Q matrix of stereoRectify";
-
-/// Draws the helper over the screen.
-pub fn show(ui: &Ui, layout: Layout, helper: Helper, inputs: &Inputs, texts: &mut Texts, commands: &mut Vec<Command>) {
-    let height = layout.control_height();
-    let frame = DialogFrame {
-        id: "helper",
-        title: helper.title(),
-        max_width: 440.0,
-    };
-    let response = frame.show(ui, |ui| {
-        ui.spacing_mut().interact_size.y = height;
-        ui.add_space(2.0 * theme::STEP);
-        scroll::up_to(ui, ui.ctx().content_rect().height() - 180.0, |ui| {
-            let way = choose_way(ui, helper, texts);
-            match way {
-                Some(way) => ask_way(ui, way, texts, height, commands),
-                None => ask_q_matrix(ui, inputs, texts, height, commands),
-            }
-        });
-        ui.add_space(theme::STEP);
-        close_button(ui, "Cancel", layout)
-    });
-    if response.inner || response.should_close() {
-        commands.push(Command::Help(None));
-    }
-}
-
-/// The way chosen among those of `helper`; `None` is the Q matrix.
-fn choose_way(ui: &mut Ui, helper: Helper, texts: &mut Texts) -> Option<&'static Way> {
-    let key = format!("way: {helper:?}");
-    let names: Vec<&'static str> = helper
-        .ways()
-        .iter()
-        .map(|way| way.name)
-        .chain((helper == Helper::FocalLength).then_some(Q_MATRIX))
-        .collect();
-    let mut chosen = texts
-        .get(&key)
-        .and_then(|stored| names.iter().find(|name| *name == stored))
-        .or(names.first())
-        .copied()
-        .unwrap_or_default();
-    let before = chosen;
-    ComboBox::from_id_salt(&key)
-        .width(ui.available_width())
-        .selected_text(chosen)
-        .show_ui(ui, |ui| {
-            for &name in &names {
-                if ui.selectable_value(&mut chosen, name, name).clicked() {
-                    ui.close();
-                }
-            }
-        })
-        .response
-        .accessible_name("What is known");
-    if chosen != before {
-        texts.insert(key, chosen.to_owned());
-    }
-    ui.add_space(2.0 * theme::STEP);
-    helper.ways().iter().find(|way| way.name == chosen)
-}
-
-fn ask_way(ui: &mut Ui, way: &Way, texts: &mut Texts, height: f32, commands: &mut Vec<Command>) {
-    let mut numbers = Vec::new();
-    for ask in way.asks {
-        let typed = texts.entry(ask.name.to_owned()).or_default();
-        NumberField {
-            name: ask.name,
-            hint: "",
-            example: ask.example,
-            unit: Unit::Fixed(ask.unit),
-            signed: way.field == Field::Disparity,
-            sigma: None,
-        }
-        .show(ui, typed, height);
-        if ask.name == SENSOR_WIDTH.name {
-            sensor_formats(ui, typed);
-        }
-        if let Ok(number::Typed { number, unit: None, .. }) = number::read(typed) {
-            numbers.push(number);
-        }
-    }
-    text::caption(ui, way.remark);
-    ui.add_space(theme::STEP);
-    let symbol = way.field.symbol();
-    let result = if numbers.len() == way.asks.len() {
-        (way.compute)(&numbers)
-    } else {
-        incomplete()
-    };
-    let usable = result.as_ref().ok().filter(|value| value.is_finite());
-    let label = usable.map_or_else(
-        || format!("Use as {symbol}"),
-        |value| format!("Use {symbol} = {} px", significant(*value, 6)),
-    );
-    if let Err(reason) = &result
-        && !reason.is_empty()
-    {
-        text::note(ui, Severity::Error, reason, None);
-    }
-    if use_button(ui, &label, usable.is_some(), height)
-        && let Some(value) = usable
-    {
-        commands.push(Command::Fix(way.field, Entry::new(plain(*value), None)));
-    }
-}
-
-fn sensor_formats(ui: &mut Ui, typed: &mut String) {
-    ComboBox::from_id_salt("sensor formats")
-        .selected_text("Common formats…")
-        .width(200.0)
-        .show_ui(ui, |ui| {
-            for format in &SENSOR_FORMATS {
-                let name = format!("{}: {} × {} mm", format.name, plain(format.width_mm), plain(format.height_mm));
-                if ui.selectable_label(false, name).clicked() {
-                    *typed = plain(format.width_mm);
-                    ui.close();
-                }
-            }
-        })
-        .response
-        .accessible_name("Common sensor formats");
-    ui.add_space(2.0 * theme::STEP);
-}
-
-fn ask_q_matrix(ui: &mut Ui, inputs: &Inputs, texts: &mut Texts, height: f32, commands: &mut Vec<Command>) {
-    let palette = theme::palette(ui);
-    let name = ui.label(RichText::new("Q matrix").font(theme::strong(theme::BODY_SIZE)).color(palette.text));
-    let typed = texts.entry("Q matrix".to_owned()).or_default();
-    let field = ui
-        .add(
-            TextEdit::multiline(typed)
-                .desired_rows(5)
-                .desired_width(ui.available_width())
-                .hint_text(RichText::new("[[1. 0. 0. −610.] [0. 1. 0. −350.] [0. 0. 0. 700.] [0. 0. 0.01 0.4]]").color(palette.muted)),
-        )
-        .labelled_by(name.id);
-    text::caption(ui, "As numpy prints it, as OpenCV's YAML or XML has it, or as sixteen numbers.");
-    ui.add_space(theme::STEP);
-    if typed.trim().is_empty() {
-        return;
-    }
-    let geometry = match q_matrix::read(typed) {
-        Ok(geometry) => geometry,
-        Err(reason) => {
-            text::note(ui, Severity::Error, &reason, Some(field.id));
-            return;
-        }
-    };
-    ui.label(format!(
-        "fx {} px, baseline {}, doffs {} px, principal point ({}, {}) px",
-        significant(geometry.focal_length.px(), 7),
-        significant(geometry.baseline, 6),
-        plain(geometry.doffs.px()),
-        significant(geometry.cx.px(), 6),
-        significant(geometry.cy.px(), 6)
-    ));
-    if geometry.swapped {
-        let warning = "The sign of this Q means that left and right are swapped, or that T has the wrong sign: depths come out negative.";
-        text::note(ui, Severity::Warning, warning, Some(field.id));
-    }
-    ui.add_space(theme::STEP);
-    ui.label(format!(
-        "A Q matrix carries no unit. In which unit is the baseline {}?",
-        significant(geometry.baseline, 6)
-    ));
-    ui.horizontal_wrapped(|ui| {
-        for unit in LengthUnit::ALL {
-            let label = format!("{} {}", significant(geometry.baseline, 6), unit.symbol());
-            if ui.add(Button::new(label).min_size(vec2(0.0, height))).clicked() {
-                let mut filled = inputs.clone();
-                *filled.entry_mut(Field::FocalLength) = Entry::new(plain(geometry.focal_length.px()), None);
-                *filled.entry_mut(Field::Baseline) = Entry::new(plain(geometry.baseline), Some(unit));
-                let doffs = geometry.doffs.px();
-                *filled.entry_mut(Field::Doffs) = Entry::new(if doffs == 0.0 { String::new() } else { plain(doffs) }, None);
-                commands.push(Command::PrincipalPoint(geometry.cx, geometry.cy));
-                commands.push(Command::Open(
-                    Box::new(filled),
-                    "The Q matrix filled in focal length, baseline and doffs.",
-                ));
-            }
-        }
-    });
-}
-
-fn use_button(ui: &mut Ui, label: &str, enabled: bool, height: f32) -> bool {
-    let palette = theme::palette(ui);
-    let button = Button::new(RichText::new(label).font(theme::strong(theme::BODY_SIZE)).color(palette.on_blue))
-        .fill(palette.blue)
-        .stroke(Stroke::NONE)
-        .min_size(vec2(0.0, height));
-    ui.add_enabled(enabled, button).clicked()
-}
-
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
     use super::*;
 
     fn compute(helper: Helper, name: &str, numbers: &[f64]) -> Result<f64, String> {
-        let way = helper
-            .ways()
-            .iter()
-            .find(|way| way.name == name)
-            .unwrap_or_else(|| panic!("{name}"));
+        let way = of(helper).iter().find(|way| way.name == name).unwrap_or_else(|| panic!("{name}"));
         assert_eq!(way.asks.len(), numbers.len(), "{name}");
         (way.compute)(numbers)
     }
@@ -519,7 +310,7 @@ mod tests {
             ("Same camera, other resolution", &[631.343, 1280.0, 768.0], 378.806),
         ] {
             let got = compute(Helper::FocalLength, name, numbers).unwrap();
-            // The vertical one has its principal point 10 px off the centre in the source.
+            // The vertical one has its principal point 10 px off the center in the source.
             let tolerance = if name.starts_with("Vertical") { 1e-3 } else { 2e-4 };
             assert!((got / expected - 1.0).abs() < tolerance, "{name}: {got}");
         }
@@ -544,7 +335,7 @@ mod tests {
     }
 
     #[test]
-    fn invalid_values_of_opencv_are_recognised_for_the_min_disparity_given() {
+    fn invalid_values_of_opencv_are_recognized_for_the_min_disparity_given() {
         for (stored, min_disparity) in [(-16.0, 0.0), (240.0, 16.0), (-272.0, -16.0)] {
             let reason = compute(Helper::Disparity, "OpenCV StereoBM or StereoSGBM", &[stored, min_disparity]).unwrap_err();
             assert!(reason.contains("found nothing"), "{reason}");

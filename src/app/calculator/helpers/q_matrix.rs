@@ -1,0 +1,73 @@
+//! Everything that a Q matrix of `stereoRectify` holds: focal length, baseline, doffs and the principal point.
+
+use crate::app::command::Command;
+use crate::app::saved::Texts;
+use crate::app::theme;
+use crate::app::widgets::text;
+use crate::core::problem::Field;
+use crate::core::quantity::LengthUnit;
+use crate::formats::inputs::{Entry, Inputs, Severity};
+use crate::formats::number::{plain, significant};
+use crate::formats::q_matrix;
+use egui::{Button, RichText, TextEdit, Ui, vec2};
+
+/// Draws a field for the matrix, and for each unit of the baseline a button that fills in the form.
+pub fn ask_q_matrix(ui: &mut Ui, inputs: &Inputs, texts: &mut Texts, height: f32, commands: &mut Vec<Command>) {
+    let palette = theme::palette(ui);
+    let name = ui.label(RichText::new("Q matrix").font(theme::strong(theme::BODY_SIZE)).color(palette.text));
+    let typed = texts.entry("Q matrix".to_owned()).or_default();
+    let field = ui
+        .add(
+            TextEdit::multiline(typed)
+                .desired_rows(5)
+                .desired_width(ui.available_width())
+                .hint_text(RichText::new("[[1. 0. 0. −610.] [0. 1. 0. −350.] [0. 0. 0. 700.] [0. 0. 0.01 0.4]]").color(palette.muted)),
+        )
+        .labelled_by(name.id);
+    text::caption(ui, "As numpy prints it, as OpenCV's YAML or XML has it, or as sixteen numbers.");
+    ui.add_space(theme::STEP);
+    if typed.trim().is_empty() {
+        return;
+    }
+    let geometry = match q_matrix::read(typed) {
+        Ok(geometry) => geometry,
+        Err(reason) => {
+            text::note(ui, Severity::Error, &reason, Some(field.id));
+            return;
+        }
+    };
+    ui.label(format!(
+        "fx {} px, baseline {}, doffs {} px, principal point ({}, {}) px",
+        significant(geometry.focal_length.px(), 7),
+        significant(geometry.baseline, 6),
+        plain(geometry.doffs.px()),
+        significant(geometry.cx.px(), 6),
+        significant(geometry.cy.px(), 6)
+    ));
+    if geometry.swapped {
+        let warning = "The sign of this Q means that left and right are swapped, or that T has the wrong sign: depths come out negative.";
+        text::note(ui, Severity::Warning, warning, Some(field.id));
+    }
+    ui.add_space(theme::STEP);
+    ui.label(format!(
+        "A Q matrix carries no unit. In which unit is the baseline {}?",
+        significant(geometry.baseline, 6)
+    ));
+    ui.horizontal_wrapped(|ui| {
+        for unit in LengthUnit::ALL {
+            let label = format!("{} {}", significant(geometry.baseline, 6), unit.symbol());
+            if ui.add(Button::new(label).min_size(vec2(0.0, height))).clicked() {
+                let mut filled = inputs.clone();
+                *filled.entry_mut(Field::FocalLength) = Entry::new(plain(geometry.focal_length.px()), None);
+                *filled.entry_mut(Field::Baseline) = Entry::new(plain(geometry.baseline), Some(unit));
+                let doffs = geometry.doffs.px();
+                *filled.entry_mut(Field::Doffs) = Entry::new(if doffs == 0.0 { String::new() } else { plain(doffs) }, None);
+                commands.push(Command::PrincipalPoint(geometry.cx, geometry.cy));
+                commands.push(Command::Open(
+                    Box::new(filled),
+                    "The Q matrix filled in focal length, baseline and doffs.",
+                ));
+            }
+        }
+    });
+}
