@@ -30,8 +30,8 @@ impl DialogFrame {
         let palette = theme::palette(ui);
         let modal = Modal::new(Id::unique(self.id)).frame(theme::card(palette));
         modal.show(ui.ctx(), |ui| {
-            ui.set_width((ui.ctx().content_rect().width() - 72.0).min(self.max_width));
-            text::heading(ui, self.title, 2, theme::strong(17.0), palette.text);
+            ui.set_width((ui.ctx().content_rect().width() - theme::DIALOG_MARGINS).min(self.max_width));
+            text::heading(ui, self.title, 2, theme::strong(theme::TITLE_SIZE), palette.text);
             add_contents(ui)
         })
     }
@@ -39,6 +39,6 @@ impl DialogFrame {
 
 /// The button that closes a dialog, as high as controls are in `layout`. Returns whether it was clicked.
 pub fn close_button(ui: &mut Ui, name: &str, layout: Layout) -> bool {
-    let size = vec2(96.0, layout.control_height());
+    let size = vec2(theme::DIALOG_BUTTON_WIDTH, layout.control_height());
     ui.add_sized(size, Button::new(name)).clicked()
 }

@@ -13,7 +13,7 @@ use egui::{Button, RichText, Stroke, ThemePreference, Ui, UiBuilder, vec2};
 pub fn ui(ui: &mut Ui, layout: Layout, screen: Screen, preference: ThemePreference, commands: &mut Vec<Command>) {
     let palette = theme::palette(ui);
     ui.horizontal(|ui| {
-        text::heading(ui, "Depth Calculator", 1, theme::strong(17.0), palette.text);
+        text::heading(ui, "Depth Calculator", 1, theme::strong(theme::TITLE_SIZE), palette.text);
         if layout != Layout::Phone {
             ui.add_space(8.0);
             tabs_ui(ui, layout, screen, commands);
@@ -68,7 +68,7 @@ fn tabs_ui(ui: &mut Ui, layout: Layout, screen: Screen, commands: &mut Vec<Comma
 
 fn theme_choice_ui(ui: &mut Ui, layout: Layout, preference: ThemePreference, commands: &mut Vec<Command>) {
     let height = layout.control_height();
-    let button = Button::new(RichText::new("◐").size(17.0)).min_size(vec2(height, height));
+    let button = Button::new(RichText::new("◐").size(theme::ICON_SIZE)).min_size(vec2(height, height));
     let (response, _) = MenuButton::from_button(button).ui(ui, |ui| {
         ui.spacing_mut().interact_size.y = height;
         for (choice, name) in [

@@ -33,10 +33,9 @@ impl App {
     }
 
     fn screen_ui(&mut self, ui: &mut Ui, layout: Layout, commands: &mut Vec<Command>) {
-        let margin = if layout == Layout::Phone { 8 } else { 20 };
         let background = Frame::new().fill(theme::palette(ui).page).inner_margin(Margin {
-            left: margin,
-            right: margin,
+            left: layout.screen_margin(),
+            right: layout.screen_margin(),
             top: 16,
             bottom: 0,
         });
@@ -92,10 +91,9 @@ impl App {
 
 /// A bar over the full width, above or below the screen.
 fn bar(palette: &Palette, layout: Layout, vertical: i8) -> Frame {
-    let horizontal = if layout == Layout::Phone { 12 } else { 20 };
     Frame::new()
         .fill(palette.surface)
-        .inner_margin(Margin::symmetric(horizontal, vertical))
+        .inner_margin(Margin::symmetric(layout.bar_margin(), vertical))
 }
 
 /// Draws a ring around what has the keyboard: not every widget shows its focus by itself.

@@ -509,7 +509,7 @@ mod tests {
 
     #[test]
     fn the_pages_have_the_colours_of_the_program() {
-        let theme = fs::read_to_string(root().join("src/app/theme.rs")).unwrap();
+        let theme = fs::read_to_string(root().join("src/app/theme/palette.rs")).unwrap();
         for file in ["assets/web/learn.css", "assets/web/page.css"] {
             let style = fs::read_to_string(root().join(file)).unwrap();
             let (light, rest) = style.split_once("@media (prefers-color-scheme: dark)").unwrap();

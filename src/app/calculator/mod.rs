@@ -48,8 +48,7 @@ impl Calculator {
             }
             Layout::Tablet | Layout::Desktop | Layout::Wide => {
                 let all = ui.available_rect_before_wrap();
-                let form_width = if layout == Layout::Tablet { 320.0 } else { theme::FORM_WIDTH };
-                let (left, right) = all.split_left_right_at_x(all.left() + form_width);
+                let (left, right) = all.split_left_right_at_x(all.left() + layout.form_width());
                 let column = |ui: &mut Ui, rect, id, add_contents: &mut dyn FnMut(&mut Ui)| {
                     let top_down = egui::Layout::top_down(Align::Min);
                     ui.scope_builder(egui::UiBuilder::new().max_rect(rect).layout(top_down), |ui| {
@@ -207,7 +206,7 @@ pub fn result_bar(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
             if let Some(name) = name {
                 ui.label(RichText::new(name).color(palette.muted));
             }
-            ui.label(RichText::new(value).font(theme::strong(18.0)).color(palette.text));
+            ui.label(RichText::new(value).font(theme::strong(theme::BAR_RESULT_SIZE)).color(palette.text));
             ui.add_space(2.0 * theme::STEP);
         }
     });

@@ -40,15 +40,11 @@ pub fn show(
     let solution = &assessment.solution;
     let palette = theme::palette(ui);
     ui.horizontal(|ui| {
-        text::heading(ui, "Results", 2, theme::strong(16.0), palette.text);
+        text::heading(ui, "Results", 2, theme::strong(theme::RESULTS_HEADING_SIZE), palette.text);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let mut chosen = unit;
-            ui.spacing_mut().interact_size.y = if layout == Layout::Phone {
-                theme::CONTROL_HEIGHT_TOUCH
-            } else {
-                30.0
-            };
-            length_unit_choice(ui, "unit of the results", "Unit of the results", &mut chosen, 76.0);
+            ui.spacing_mut().interact_size.y = layout.heading_control_height();
+            length_unit_choice(ui, "unit of the results", "Unit of the results", &mut chosen, theme::UNIT_WIDTH);
             if chosen != unit {
                 commands.push(Command::ShowResultsIn(chosen));
             }
@@ -146,7 +142,11 @@ fn solved(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
         palette.green_tint,
     );
     let words = report::unknown(unknown, unit);
-    let size = if unknown.outcome.is_ok() { 26.0 } else { theme::BODY_SIZE };
+    let size = if unknown.outcome.is_ok() {
+        theme::SOLVED_SIZE
+    } else {
+        theme::BODY_SIZE
+    };
     let response = ui.label(RichText::new(words).font(theme::strong(size)).color(palette.text));
     text::announce(ui, &response);
     ui.accesskit_node_builder(response.id, |node| node.set_description(unknown.field.name()));

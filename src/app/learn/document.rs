@@ -57,7 +57,6 @@ fn plain(spans: &[Span]) -> String {
     spans.iter().map(|span| span.text).collect()
 }
 
-const READING_SIZE: f32 = 15.5;
 const BETWEEN_BLOCKS: f32 = 10.0;
 
 fn show_blocks(ui: &mut Ui, blocks: &[Block], target_height: f32, followed: &mut Option<&'static str>) {
@@ -65,10 +64,11 @@ fn show_blocks(ui: &mut Ui, blocks: &[Block], target_height: f32, followed: &mut
     for (number, block) in blocks.iter().enumerate() {
         match block {
             Block::Heading(level, title) => {
+                let [first, second, third] = theme::READING_HEADING_SIZES;
                 let (size, before) = match level {
-                    1 => (26.0, 0.0),
-                    2 => (20.0, 20.0),
-                    _ => (16.5, 10.0),
+                    1 => (first, 0.0),
+                    2 => (second, 20.0),
+                    _ => (third, 10.0),
                 };
                 if number > 0 {
                     ui.add_space(before);
@@ -107,7 +107,11 @@ fn show_blocks(ui: &mut Ui, blocks: &[Block], target_height: f32, followed: &mut
                     .show(ui, |ui| {
                         ui.set_width(ui.available_width());
                         for line in *lines {
-                            ui.label(RichText::new(*line).font(theme::strong(16.0)).color(palette.text));
+                            ui.label(
+                                RichText::new(*line)
+                                    .font(theme::strong(theme::READING_FORMULA_SIZE))
+                                    .color(palette.text),
+                            );
                         }
                     });
                 ui.add_space(BETWEEN_BLOCKS);
@@ -131,7 +135,7 @@ fn list(ui: &mut Ui, first: Option<u64>, items: &[&[Block]], target_height: f32,
                     let mark = if first.is_some() { format!("{number}.") } else { "•".to_owned() };
                     ui.allocate_ui_with_layout(vec2(INDENT, 0.0), egui::Layout::left_to_right(egui::Align::Min), |ui| {
                         ui.set_min_width(INDENT);
-                        ui.label(RichText::new(mark).size(READING_SIZE));
+                        ui.label(RichText::new(mark).size(theme::READING_SIZE));
                     });
                     ui.vertical(|ui| {
                         ui.set_width(ui.available_width());
@@ -161,7 +165,7 @@ fn paragraph(ui: &mut Ui, spans: &[Span], target_height: f32, followed: &mut Opt
         return;
     }
     if spans.iter().all(|span| span.link.is_none()) {
-        ui.label(job(ui, spans, READING_SIZE));
+        ui.label(job(ui, spans, theme::READING_SIZE));
         return;
     }
     ui.horizontal_wrapped(|ui| {
@@ -169,12 +173,12 @@ fn paragraph(ui: &mut Ui, spans: &[Span], target_height: f32, followed: &mut Opt
         for span in spans {
             match &span.link {
                 Some(target) => {
-                    if ui.link(RichText::new(span.text).size(READING_SIZE)).clicked() {
+                    if ui.link(RichText::new(span.text).size(theme::READING_SIZE)).clicked() {
                         follow(ui, target, followed);
                     }
                 }
                 None => {
-                    ui.label(job(ui, std::slice::from_ref(span), READING_SIZE));
+                    ui.label(job(ui, std::slice::from_ref(span), theme::READING_SIZE));
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use super::quantity_field::length_unit_choice;
 use super::text;
-use crate::app::theme;
+use crate::app::theme::{self, SIGMA_WIDTH, UNIT_WIDTH};
 use crate::core::quantity::LengthUnit;
 use crate::formats::inputs::Severity;
 use crate::formats::number;
@@ -38,8 +38,6 @@ pub struct NumberField<'a> {
 impl NumberField<'_> {
     /// Draws the field for `text`. Returns whether it was left.
     pub fn show(self, ui: &mut Ui, typed: &mut String, height: f32) -> bool {
-        const UNIT_WIDTH: f32 = 76.0;
-        const SIGMA_WIDTH: f32 = 88.0;
         let palette = theme::palette(ui);
         let name = ui.label(RichText::new(self.name).font(theme::strong(theme::BODY_SIZE)).color(palette.text));
         let mut left = false;

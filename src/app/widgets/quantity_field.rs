@@ -1,7 +1,7 @@
 //! A field for one quantity: name, text, unit, hint, and what is wrong with it.
 
 use crate::app::command::{Command, Helper};
-use crate::app::theme;
+use crate::app::theme::{self, SIGMA_WIDTH, UNIT_WIDTH};
 use crate::core::disparity::MATCHING_ERRORS;
 use crate::core::problem::Field;
 use crate::core::quantity::LengthUnit;
@@ -11,9 +11,6 @@ use crate::formats::report;
 use egui::accesskit::Role;
 use egui::text::{CCursor, CCursorRange};
 use egui::{Align, Button, ComboBox, Id, Key, Modifiers, Response, RichText, Sense, Stroke, TextEdit, Ui, vec2};
-
-const UNIT_WIDTH: f32 = 76.0;
-const SIGMA_WIDTH: f32 = 88.0;
 
 /// What stands around a field.
 #[derive(Clone, Copy, Debug, Default)]

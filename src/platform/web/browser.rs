@@ -178,26 +178,11 @@ fn system_colors() -> Option<SystemColors> {
         // Else it would wear what everything wears.
         probe.style().set_css_text(&format!("forced-color-adjust:none;color:{name}"));
         let style = window.get_computed_style(&probe).ok()??;
-        rgb(&style.get_property_value("color").ok()?)
+        style.get_property_value("color").ok()
     };
-    let colors = (|| {
-        Some(SystemColors {
-            canvas: color("Canvas")?,
-            canvas_text: color("CanvasText")?,
-            link_text: color("LinkText")?,
-            highlight: color("Highlight")?,
-            button_border: color("ButtonBorder")?,
-        })
-    })();
+    let colors = SystemColors::from_css(color);
     probe.remove();
     colors
-}
-
-/// A colour as computed styles have it, `rgb(255, 255, 255)`.
-fn rgb(text: &str) -> Option<egui::Color32> {
-    let inside = text.split_once('(')?.1.trim_end_matches(')');
-    let mut numbers = inside.split(',').map(|number| number.trim().parse::<u8>().ok());
-    Some(egui::Color32::from_rgb(numbers.next()??, numbers.next()??, numbers.next()??))
 }
 
 /// What an exception of the browser says, with a full stop.
