@@ -5,7 +5,7 @@ use super::command::Command;
 use super::dialog::Dialog;
 use super::saved::Screen;
 use super::theme::{self, Layout, Palette};
-use super::widgets::foot::Foot;
+use super::widgets::bottom_bar::BottomBar;
 use super::{about, calculator, learn, navigation, shortcuts};
 use egui::{Align, CentralPanel, Frame, Margin, Panel, Stroke, Ui};
 
@@ -20,9 +20,9 @@ impl App {
         top.show(ui, |ui| {
             navigation::ui(ui, layout, self.settings.screen, self.settings.theme, &mut commands);
         });
-        let foot = Foot::of(ui, "screen");
-        foot.above(ui, |ui| self.screen_ui(ui, layout, &mut commands));
-        foot.below(ui, |ui| self.bottom_ui(ui, layout, &mut commands));
+        let bottom_bar = BottomBar::new(ui, "screen");
+        bottom_bar.above(ui, |ui| self.screen_ui(ui, layout, &mut commands));
+        bottom_bar.below(ui, |ui| self.bottom_ui(ui, layout, &mut commands));
         match self.dialog {
             Some(Dialog::Keys) => shortcuts::list(ui, layout, &mut commands),
             Some(Dialog::About) => about::show(ui, layout, &*self.platform, &mut commands),

@@ -2,14 +2,14 @@
 
 use crate::app::command::Command;
 use crate::app::theme;
-use crate::app::widgets::picture;
+use crate::app::widgets::{picture, plot};
 use crate::core::problem::{Field, Solution};
 use crate::core::quantity::{Length, LengthUnit, Pixels};
 use crate::core::stereo;
 use crate::formats::{number, report};
 use egui::accesskit::{Action, ActionData, Role};
 use egui::{Align2, CursorIcon, Id, Key, Rect, Response, Sense, Stroke, Ui, pos2, vec2};
-use egui_plot::{GridMark, Line, Plot, PlotPoint, PlotPoints};
+use egui_plot::{Line, PlotPoint, PlotPoints, PlotResponse};
 
 pub const TITLE: &str = "Distance against disparity";
 
@@ -37,8 +37,8 @@ impl Model {
         let depth = stereo::depth(focal_length, baseline, Pixels::new(around)).m();
         let model = Self {
             depth_at_one_px_m: stereo::depth(focal_length, baseline, Pixels::new(1.0)).m(),
-            disparity_end_px: picture::round_up(around * 1.6),
-            depth_end_m: picture::round_up(depth * 1.6),
+            disparity_end_px: plot::round_up(around * 1.6),
+            depth_end_m: plot::round_up(depth * 1.6),
         };
         [model.depth_at_one_px_m, model.disparity_end_px, model.depth_end_m, around]
             .iter()
@@ -89,7 +89,7 @@ impl Curve {
             );
             return;
         };
-        let response = plot(ui, &model, unit);
+        let response = plot_ui(ui, &model, unit);
         let point = disparity.zip(solution.stereo.distance());
         let description = match point {
             Some((disparity, distance)) => format!(
@@ -112,7 +112,7 @@ impl Curve {
         &mut self,
         ui: &mut Ui,
         model: &Model,
-        plot: &egui_plot::PlotResponse<()>,
+        plot: &PlotResponse<()>,
         (disparity, distance): (Pixels, Length),
         unit: LengthUnit,
         commands: &mut Vec<Command>,
@@ -230,57 +230,20 @@ fn label(ui: &Ui, frame: Rect, at: egui::Pos2, text: &str) {
     ui.painter().galley(rect.min, galley, palette.text);
 }
 
-fn plot(ui: &mut Ui, model: &Model, unit: LengthUnit) -> egui_plot::PlotResponse<()> {
-    let palette = theme::palette(ui);
+fn plot_ui(ui: &mut Ui, model: &Model, unit: LengthUnit) -> PlotResponse<()> {
+    let color = theme::palette(ui).blue;
     let depth_end = Length::from_m(model.depth_end_m).in_unit(unit);
     let disparity_end = model.disparity_end_px;
-    let marks = |end: f64| -> Vec<GridMark> {
-        picture::ticks(end, 4)
-            .into_iter()
-            .map(|tick| GridMark {
-                value: tick / end,
-                step_size: 1.0,
-            })
-            .collect()
-    };
-    let (x_marks, y_marks) = (marks(disparity_end), marks(depth_end));
-    let points = model.points();
-    picture::plot_type(ui);
-    Plot::new("curve")
-        .height(theme::PICTURE_HEIGHT)
-        .allow_drag(false)
-        .allow_scroll(false)
-        .allow_zoom(false)
-        .allow_boxed_zoom(false)
-        .allow_double_click_reset(false)
-        .show_x(false)
-        .show_y(false)
-        .show_background(false)
-        .sense(Sense::hover())
-        .set_margin_fraction(egui::Vec2::ZERO)
-        .default_x_bounds(0.0, 1.0)
-        .default_y_bounds(0.0, 1.0)
-        .auto_bounds(false)
-        .grid_color(palette.line)
-        .grid_fade(0.0)
+    let (x_marks, y_marks) = (plot::marks(disparity_end), plot::marks(depth_end));
+    plot::plot(ui, "curve", 0.0..=1.0)
         .x_axis_label("Disparity (px)")
         .x_grid_spacer(move |_| x_marks.clone())
         .y_grid_spacer(move |_| y_marks.clone())
         .x_axis_formatter(move |mark, _| number::plain(mark.value * disparity_end))
-        .y_axis_formatter(move |mark, _| {
-            if mark.value == 0.0 {
-                "0".to_owned()
-            } else {
-                format!("{} {}", number::plain(mark.value * depth_end), unit.symbol())
-            }
-        })
+        .y_axis_formatter(move |mark, _| plot::mark_label(mark, depth_end, unit))
         .show(ui, |plot| {
-            plot.line(
-                Line::new("distance", PlotPoints::from(points))
-                    .color(palette.blue)
-                    .width(2.5)
-                    .allow_hover(false),
-            );
+            let line = Line::new("distance", PlotPoints::from(model.points()));
+            plot.line(line.color(color).width(2.5).allow_hover(false));
         })
 }
 

@@ -128,7 +128,7 @@ impl Calculator {
         let mut card = |ui: &mut Ui, which: Card, row: Id| {
             cards::card(ui, which.title(), |ui| {
                 match which {
-                    Card::Bars => bars::show(ui, solution, unit),
+                    Card::Bars => bars::ui(ui, solution, unit),
                     Card::Curve => curve.show(ui, solution, unit, commands),
                     Card::TopView => top_view::show(ui, solution, unit),
                     Card::Intermediate => intermediate(ui, assessment),

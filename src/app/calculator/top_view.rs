@@ -2,6 +2,7 @@
 
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::picture;
+use crate::app::widgets::plot::round_down;
 use crate::core::problem::{Method, Solution};
 use crate::core::quantity::{Length, LengthUnit};
 use crate::formats::{number, report};
@@ -247,7 +248,7 @@ fn paint_scale(painter: &Painter, palette: &Palette, scene: &Scene, unit: Length
     let frame = scene.frame;
     let points_per_unit = scene.points_per_metre * Length::new(1.0, unit).m();
     let longest = f64::from(frame.width() * 0.2) / points_per_unit;
-    let length = picture::round_down(longest);
+    let length = round_down(longest);
     if !length.is_normal() {
         return;
     }
