@@ -1,16 +1,17 @@
 //! What the program is, and under which licenses it and everything in it may be used.
 
 use super::command::Command;
+use super::context::AppContext;
 use super::dialog::{DialogFrame, close_button};
-use super::platform::{Licenses, Platform};
-use super::theme::{self, Layout};
+use super::platform::Licenses;
+use super::theme;
 use egui::Ui;
 
 /// The button that opens the dialog.
 pub const NAME: &str = "About Depth Calculator";
 
 /// The dialog, over the screen.
-pub fn show(ui: &Ui, layout: Layout, platform: &dyn Platform, commands: &mut Vec<Command>) {
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let frame = DialogFrame {
         id: "about",
         title: NAME,
@@ -18,21 +19,21 @@ pub fn show(ui: &Ui, layout: Layout, platform: &dyn Platform, commands: &mut Vec
     };
     let response = frame.show(ui, |ui| {
         ui.add_space(theme::STEP);
-        ui.label(version(platform.commit().as_deref()));
+        ui.label(version(cx.platform.commit().as_deref()));
         ui.label("You may use, change and share it under the MIT or the Apache 2.0 license, as you like.");
         ui.label("Its fonts are Inter (SIL Open Font License 1.1) and DejaVu (a license of its own).");
-        match platform.licenses() {
+        match cx.platform.licenses() {
             Licenses::Page(address) => {
                 ui.hyperlink_to("Licenses of the fonts and of every library in it", address);
             }
             #[cfg(not(target_arch = "wasm32"))]
-            Licenses::Text(licenses) => full_text(ui, licenses),
+            Licenses::Text(licenses) => full_text_ui(ui, licenses),
         }
         ui.add_space(2.0 * theme::STEP);
-        close_button(ui, "Close", layout)
+        close_button(ui, "Close", cx.layout)
     });
     if response.inner || response.should_close() {
-        commands.push(Command::ShowDialog(None));
+        cx.commands.push(Command::ShowDialog(None));
     }
 }
 
@@ -47,7 +48,7 @@ fn version(commit: Option<&str>) -> String {
 
 /// Thousands of lines, of which only those in sight are laid out. Nothing in the text takes the focus: the keys that turn pages scroll it.
 #[cfg(not(target_arch = "wasm32"))]
-fn full_text(ui: &mut Ui, licenses: &'static str) {
+fn full_text_ui(ui: &mut Ui, licenses: &'static str) {
     use super::widgets::text;
     use egui::accesskit::Role;
     use egui::{Key, Label, Modifiers, RichText, ScrollArea, TextStyle, UiBuilder, vec2};

@@ -3,6 +3,7 @@
 use super::App;
 use super::calculator::geometry;
 use super::command::Command;
+use super::context::AppContext;
 use super::notice::Notice;
 use super::saved::{Saved, Screen};
 use super::theme::{self, Layout};
@@ -36,9 +37,14 @@ impl App {
                 None,
             );
         }
-        if self.calculator.simulate(self.session.assessment()) {
-            ctx.request_repaint();
-        }
+        self.calculator.logic(&mut AppContext {
+            egui: ctx,
+            layout: Layout::of_width(ctx.content_rect().width()),
+            session: &mut self.session,
+            settings: &mut self.settings,
+            platform: &*self.platform,
+            commands: &mut self.pending,
+        });
         self.store();
     }
 
@@ -103,7 +109,7 @@ impl App {
         let replaced = !self.session.inputs.is_blank();
         self.session.inputs = inputs;
         self.settings.screen = Screen::Calculator;
-        self.calculator.reveal_results = Layout::of_width(ctx.content_rect().width()) == Layout::Phone;
+        self.calculator.reveal_results(ctx);
         self.calculator.helper = None;
         self.say(said, replaced.then_some(("Undo", Command::Undo)));
     }

@@ -6,6 +6,7 @@
 mod about;
 mod calculator;
 mod command;
+mod context;
 mod dialog;
 mod learn;
 mod logic;

@@ -1,6 +1,7 @@
 //! The bar at the top: the name of the program, a tab for each screen, the list of keys, light or dark.
 
 use super::command::Command;
+use super::context::AppContext;
 use super::dialog::Dialog;
 use super::saved::Screen;
 use super::theme::{self, Layout};
@@ -10,36 +11,36 @@ use egui::containers::menu::MenuButton;
 use egui::{Button, RichText, Stroke, ThemePreference, Ui, UiBuilder, vec2};
 
 /// Draws the contents of the bar.
-pub fn ui(ui: &mut Ui, layout: Layout, screen: Screen, preference: ThemePreference, commands: &mut Vec<Command>) {
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let palette = theme::palette(ui);
     ui.horizontal(|ui| {
         text::heading(ui, "Depth Calculator", 1, theme::strong(theme::TITLE_SIZE), palette.text);
-        if layout != Layout::Phone {
+        if cx.layout != Layout::Phone {
             ui.add_space(8.0);
-            tabs_ui(ui, layout, screen, commands);
+            tabs_ui(ui, cx);
         }
         // In the order in which they are read: a layout from the right would turn it around.
-        let side = layout.control_height();
+        let side = cx.layout.control_height();
         ui.spacing_mut().button_padding.x = theme::STEP;
         ui.add_space((ui.available_width() - 2.0 * side - ui.spacing().item_spacing.x).max(0.0));
         let keys = Button::new("?").min_size(vec2(side, side));
         if ui.add(keys).accessible_name("Keys").clicked() {
-            commands.push(Command::ShowDialog(Some(Dialog::Keys)));
+            cx.commands.push(Command::ShowDialog(Some(Dialog::Keys)));
         }
-        theme_choice_ui(ui, layout, preference, commands);
+        theme_choice_ui(ui, cx);
     });
-    if layout == Layout::Phone {
-        tabs_ui(ui, layout, screen, commands);
+    if cx.layout == Layout::Phone {
+        tabs_ui(ui, cx);
     }
 }
 
-fn tabs_ui(ui: &mut Ui, layout: Layout, screen: Screen, commands: &mut Vec<Command>) {
+fn tabs_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let palette = theme::palette(ui);
     let list = UiBuilder::new().accessibility_role(Role::TabList).accessibility_label("Screens");
     ui.scope_builder(list, |ui| {
         ui.horizontal(|ui| {
             for choice in Screen::ALL {
-                let selected = choice == screen;
+                let selected = choice == cx.settings.screen;
                 let text = if selected {
                     RichText::new(choice.name())
                         .font(theme::strong(theme::BODY_SIZE))
@@ -52,22 +53,22 @@ fn tabs_ui(ui: &mut Ui, layout: Layout, screen: Screen, commands: &mut Vec<Comma
                     Button::new(text)
                         .fill(fill)
                         .stroke(Stroke::NONE)
-                        .min_size(vec2(0.0, layout.control_height())),
+                        .min_size(vec2(0.0, cx.layout.control_height())),
                 );
                 ui.accesskit_node_builder(tab.id, |node| {
                     node.set_role(Role::Tab);
                     node.set_selected(selected);
                 });
                 if tab.clicked() {
-                    commands.push(Command::Show(choice));
+                    cx.commands.push(Command::Show(choice));
                 }
             }
         });
     });
 }
 
-fn theme_choice_ui(ui: &mut Ui, layout: Layout, preference: ThemePreference, commands: &mut Vec<Command>) {
-    let height = layout.control_height();
+fn theme_choice_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    let height = cx.layout.control_height();
     let button = Button::new(RichText::new("◐").size(theme::ICON_SIZE)).min_size(vec2(height, height));
     let (response, _) = MenuButton::from_button(button).ui(ui, |ui| {
         ui.spacing_mut().interact_size.y = height;
@@ -76,8 +77,8 @@ fn theme_choice_ui(ui: &mut Ui, layout: Layout, preference: ThemePreference, com
             (ThemePreference::Light, "Light"),
             (ThemePreference::Dark, "Dark"),
         ] {
-            if ui.selectable_label(preference == choice, name).clicked() {
-                commands.push(Command::Theme(choice));
+            if ui.selectable_label(cx.settings.theme == choice, name).clicked() {
+                cx.commands.push(Command::Theme(choice));
                 ui.close();
             }
         }

@@ -1,7 +1,7 @@
 //! The notice bar: a sentence about what just happened, with what can be done about it.
 
 use super::command::Command;
-use super::theme::Layout;
+use super::context::AppContext;
 use super::widgets::text;
 use egui::{Button, Ui, vec2};
 
@@ -16,18 +16,18 @@ pub struct Notice {
 
 impl Notice {
     /// Draws the contents of the bar.
-    pub fn ui(&self, ui: &mut Ui, layout: Layout, commands: &mut Vec<Command>) {
+    pub fn ui(&self, ui: &mut Ui, cx: &mut AppContext<'_>) {
         ui.horizontal_wrapped(|ui| {
             let said = ui.label(&self.text);
             text::announce(ui, &said);
-            let button = |name: &str| Button::new(name).min_size(vec2(0.0, layout.control_height()));
+            let button = |name: &str| Button::new(name).min_size(vec2(0.0, cx.layout.control_height()));
             if let Some((name, action)) = &self.action
                 && ui.add(button(name)).clicked()
             {
-                commands.push(action.clone());
+                cx.commands.push(action.clone());
             }
             if ui.add(button("Close").frame(false)).clicked() {
-                commands.push(Command::Dismiss);
+                cx.commands.push(Command::Dismiss);
             }
         });
     }

@@ -2,8 +2,9 @@
 
 use super::about;
 use super::command::Command;
+use super::context::AppContext;
 use super::dialog::{Dialog, DialogFrame, close_button};
-use super::theme::{self, Layout};
+use super::theme;
 use super::widgets::table::{Cell, row, table};
 use super::widgets::text;
 use egui::accesskit::Role;
@@ -48,7 +49,7 @@ pub fn pressed(ctx: &egui::Context) -> Option<Command> {
 }
 
 /// The list, over the screen.
-pub fn list(ui: &Ui, layout: Layout, commands: &mut Vec<Command>) {
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let palette = theme::palette(ui);
     let frame = DialogFrame {
         id: "keys",
@@ -72,8 +73,8 @@ pub fn list(ui: &Ui, layout: Layout, commands: &mut Vec<Command>) {
         });
         ui.add_space(2.0 * theme::STEP);
         ui.horizontal(|ui| {
-            let closed = close_button(ui, "Close", layout);
-            if text::link_button(ui, about::NAME, layout).clicked() {
+            let closed = close_button(ui, "Close", cx.layout);
+            if text::link_button(ui, about::NAME, cx.layout).clicked() {
                 Some(Some(Dialog::About))
             } else {
                 closed.then_some(None)
@@ -82,5 +83,5 @@ pub fn list(ui: &Ui, layout: Layout, commands: &mut Vec<Command>) {
         .inner
     });
     let next = response.inner.or_else(|| response.should_close().then_some(None));
-    commands.extend(next.map(Command::ShowDialog));
+    cx.commands.extend(next.map(Command::ShowDialog));
 }

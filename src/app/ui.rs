@@ -1,74 +1,43 @@
 //! The frame: navigation at the top, a screen, bars at the bottom, and dialogs over them.
 
 use super::App;
+use super::calculator::{self, Calculator};
 use super::command::Command;
+use super::context::AppContext;
 use super::dialog::Dialog;
+use super::notice::Notice;
 use super::saved::Screen;
-use super::theme::{self, Layout, Palette};
+use super::theme::{self, Layout};
 use super::widgets::bottom_bar::BottomBar;
-use super::{about, calculator, learn, navigation, shortcuts};
+use super::{about, learn, navigation, shortcuts};
 use egui::{Align, CentralPanel, Frame, Margin, Panel, Stroke, Ui};
 
 impl App {
     /// Draws a frame, and keeps what it asks for until [`Self::update`] carries it out.
     pub(super) fn frame_ui(&mut self, ui: &mut Ui) {
-        let layout = Layout::of_width(ui.available_width());
-        let palette = theme::palette(ui);
         let mut commands = Vec::from_iter(shortcuts::pressed(ui.ctx()));
-        ui.spacing_mut().interact_size.y = layout.control_height();
-        let top = Panel::top("navigation").resizable(false).frame(bar(palette, layout, 8));
-        top.show(ui, |ui| {
-            navigation::ui(ui, layout, self.settings.screen, self.settings.theme, &mut commands);
-        });
+        let ctx = ui.ctx().clone();
+        let cx = &mut AppContext {
+            egui: &ctx,
+            layout: Layout::of_width(ctx.content_rect().width()),
+            session: &mut self.session,
+            settings: &mut self.settings,
+            platform: &*self.platform,
+            commands: &mut commands,
+        };
+        ui.spacing_mut().interact_size.y = cx.layout.control_height();
+        let top = Panel::top("navigation").resizable(false);
+        top.frame(bar(ui, cx.layout, 8)).show(ui, |ui| navigation::ui(ui, cx));
         let bottom_bar = BottomBar::new(ui, "screen");
-        bottom_bar.above(ui, |ui| self.screen_ui(ui, layout, &mut commands));
-        bottom_bar.below(ui, |ui| self.bottom_ui(ui, layout, &mut commands));
+        bottom_bar.above(ui, |ui| screen_ui(ui, cx, &mut self.calculator));
+        bottom_bar.below(ui, |ui| bottom_ui(ui, cx, self.notice.as_ref()));
         match self.dialog {
-            Some(Dialog::Keys) => shortcuts::list(ui, layout, &mut commands),
-            Some(Dialog::About) => about::show(ui, layout, &*self.platform, &mut commands),
+            Some(Dialog::Keys) => shortcuts::ui(ui, cx),
+            Some(Dialog::About) => about::ui(ui, cx),
             None => {}
         }
         focus_ring(ui);
-        self.keep(ui.ctx(), commands);
-    }
-
-    fn screen_ui(&mut self, ui: &mut Ui, layout: Layout, commands: &mut Vec<Command>) {
-        let background = Frame::new().fill(theme::palette(ui).page).inner_margin(Margin {
-            left: layout.screen_margin(),
-            right: layout.screen_margin(),
-            top: 16,
-            bottom: 0,
-        });
-        CentralPanel::no_frame().frame(background).show(ui, |ui| {
-            ui.vertical_centered(|ui| {
-                ui.set_max_width(ui.available_width().min(theme::CONTENT_WIDTH));
-                ui.with_layout(egui::Layout::top_down(Align::Min), |ui| match self.settings.screen {
-                    Screen::Learn => learn::show(ui, layout, commands),
-                    Screen::Calculator => self.calculator.show(ui, layout, &mut self.session, &mut self.settings, commands),
-                });
-            });
-        });
-    }
-
-    fn bottom_ui(&self, ui: &mut Ui, layout: Layout, commands: &mut Vec<Command>) {
-        let palette = theme::palette(ui);
-        let separated = |ui: &mut Ui, vertical, add_contents: &mut dyn FnMut(&mut Ui)| {
-            let drawn = bar(palette, layout, vertical).show(ui, |ui| {
-                ui.set_width(ui.available_width());
-                add_contents(ui);
-            });
-            let rect = drawn.response.rect;
-            let line = ui.visuals().widgets.noninteractive.bg_stroke;
-            ui.painter().hline(rect.x_range(), rect.top(), line);
-        };
-        if let Some(notice) = &self.notice {
-            separated(ui, 6, &mut |ui| notice.ui(ui, layout, commands));
-        }
-        if layout == Layout::Phone && self.settings.screen == Screen::Calculator {
-            separated(ui, 10, &mut |ui| {
-                calculator::result_bar(ui, self.session.assessment(), self.settings.result_unit);
-            });
-        }
+        self.keep(&ctx, commands);
     }
 
     /// Keeps `commands` for [`Self::update`].
@@ -89,10 +58,48 @@ impl App {
     }
 }
 
+fn screen_ui(ui: &mut Ui, cx: &mut AppContext<'_>, calculator: &mut Calculator) {
+    let background = Frame::new().fill(theme::palette(ui).page).inner_margin(Margin {
+        left: cx.layout.screen_margin(),
+        right: cx.layout.screen_margin(),
+        top: 16,
+        bottom: 0,
+    });
+    CentralPanel::no_frame().frame(background).show(ui, |ui| {
+        ui.vertical_centered(|ui| {
+            ui.set_max_width(ui.available_width().min(theme::CONTENT_WIDTH));
+            ui.with_layout(egui::Layout::top_down(Align::Min), |ui| match cx.settings.screen {
+                Screen::Calculator => calculator.ui(ui, cx),
+                Screen::Learn => learn::ui(ui, cx),
+            });
+        });
+    });
+}
+
+fn bottom_ui(ui: &mut Ui, cx: &mut AppContext<'_>, notice: Option<&Notice>) {
+    if let Some(notice) = notice {
+        separated_bar(ui, cx, 6, |ui, cx| notice.ui(ui, cx));
+    }
+    if cx.layout == Layout::Phone && cx.settings.screen == Screen::Calculator {
+        separated_bar(ui, cx, 10, |ui, cx| calculator::result_bar_ui(ui, cx));
+    }
+}
+
+/// A bar below a line.
+fn separated_bar<'a>(ui: &mut Ui, cx: &mut AppContext<'a>, vertical: i8, add_contents: impl FnOnce(&mut Ui, &mut AppContext<'a>)) {
+    let drawn = bar(ui, cx.layout, vertical).show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        add_contents(ui, cx);
+    });
+    let rect = drawn.response.rect;
+    let line = ui.visuals().widgets.noninteractive.bg_stroke;
+    ui.painter().hline(rect.x_range(), rect.top(), line);
+}
+
 /// A bar over the full width, above or below the screen.
-fn bar(palette: &Palette, layout: Layout, vertical: i8) -> Frame {
+fn bar(ui: &Ui, layout: Layout, vertical: i8) -> Frame {
     Frame::new()
-        .fill(palette.surface)
+        .fill(theme::palette(ui).surface)
         .inner_margin(Margin::symmetric(layout.bar_margin(), vertical))
 }
 

@@ -1,14 +1,14 @@
 //! What else the distance gives: the point in space and the range that a tape measures, a tilted target, and the ground
 //! plane as a third method.
 
+use crate::app::context::AppContext;
 use crate::app::saved::Texts;
 use crate::app::widgets::number_field::{NumberField, Unit};
 use crate::app::widgets::{cards, text};
 use crate::core::angle::Angle;
 use crate::core::camera::{self, GroundView, Intrinsics, NoGround};
 use crate::core::measured::Measured;
-use crate::core::problem::Solution;
-use crate::core::quantity::{Length, LengthUnit, Pixels};
+use crate::core::quantity::{Length, Pixels};
 use crate::formats::inputs::Severity;
 use crate::formats::{number, report};
 use egui::Ui;
@@ -30,19 +30,22 @@ pub fn set_principal_point(texts: &mut Texts, cx: Pixels, cy: Pixels) {
 }
 
 /// Draws the three cards.
-pub fn show(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, height: f32, columns: usize, gap: f32) {
-    let parts: [Part; 3] = [range, tilt, ground];
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    let (columns, gap) = (cx.layout.columns(), cx.layout.gap());
+    let parts: [Part; 3] = [range_ui, tilt_ui, ground_ui];
     for (number, row) in parts.chunks(columns).enumerate() {
         let id = egui::Id::unique(("geometry", columns, number));
-        cards::row(ui, row, gap, |ui, part| part(ui, solution, unit, texts, height, id));
+        cards::row(ui, row, gap, |ui, part| part(ui, cx, id));
     }
 }
 
-type Part = fn(&mut Ui, &Solution, LengthUnit, &mut Texts, f32, egui::Id);
+type Part = fn(&mut Ui, &mut AppContext<'_>, egui::Id);
 
-fn range(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, height: f32, row: egui::Id) {
+fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>, row: egui::Id) {
+    let unit = cx.unit();
+    let (solution, texts) = (&cx.session.assessment().solution, &mut cx.settings.texts);
     cards::card(ui, "Depth or range", |ui| {
-        let numbers = [(CX, "640"), (CY, "360"), (U, "900"), (V, "500")].map(|(name, example)| ask(ui, texts, name, example, "px", height));
+        let numbers = [(CX, "640"), (CY, "360"), (U, "900"), (V, "500")].map(|(name, example)| ask(ui, texts, name, example, "px"));
         let depth = solution.stereo.distance().or(solution.monocular.distance());
         let answer = match (solution.problem.focal_length, depth, numbers) {
             (Some(fx), Some(depth), [Some(cx), Some(cy), Some(u), Some(v)]) => {
@@ -84,9 +87,11 @@ fn range(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, 
     });
 }
 
-fn tilt(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, height: f32, row: egui::Id) {
+fn tilt_ui(ui: &mut Ui, cx: &mut AppContext<'_>, row: egui::Id) {
+    let unit = cx.unit();
+    let (solution, texts) = (&cx.session.assessment().solution, &mut cx.settings.texts);
     cards::card(ui, "Tilted target", |ui| {
-        let tilt = ask(ui, texts, TILT, "20", DEGREES, height);
+        let tilt = ask(ui, texts, TILT, "20", DEGREES);
         if let (Some(tilt), Some(apparent)) = (tilt, solution.monocular.distance()) {
             match camera::depth_of_tilted_target(apparent, Angle::from_degrees(tilt)) {
                 Some(depth) => {
@@ -101,7 +106,7 @@ fn tilt(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, h
                         ],
                     );
                 }
-                None => problem(ui, "A target tilted by 90° or more shows no width. Type an angle below 90°."),
+                None => problem_ui(ui, "A target tilted by 90° or more shows no width. Type an angle below 90°."),
             }
         }
         text::caption(
@@ -112,12 +117,14 @@ fn tilt(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, h
     });
 }
 
-fn ground(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts, height: f32, row: egui::Id) {
+fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>, row: egui::Id) {
+    let unit = cx.unit();
+    let (solution, texts) = (&cx.session.assessment().solution, &mut cx.settings.texts);
     cards::card(ui, "Ground plane, a third method", |ui| {
-        let camera_height = ask_measured(ui, texts, HEIGHT, "1.2", "m", height);
-        let pitch = ask_measured(ui, texts, PITCH, "10", DEGREES, height);
-        let point = ask_measured(ui, texts, ROW, "500", "px", height);
-        let cy = ask(ui, texts, CY, "360", "px", height);
+        let camera_height = ask_measured(ui, texts, HEIGHT, "1.2", "m");
+        let pitch = ask_measured(ui, texts, PITCH, "10", DEGREES);
+        let point = ask_measured(ui, texts, ROW, "500", "px");
+        let cy = ask(ui, texts, CY, "360", "px");
         if let (Some(fx), Some(camera_height), Some(pitch), Some(row), Some(cy)) =
             (solution.problem.focal_length, camera_height, pitch, point, cy)
         {
@@ -138,13 +145,13 @@ fn ground(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts,
                     };
                     super::table::pairs(ui, "Ground plane", &[("Distance along the floor", words)]);
                 }
-                Err(NoGround::AboveHorizon) => problem(
+                Err(NoGround::AboveHorizon) => problem_ui(
                     ui,
                     "This row is at the horizon or above it: its ray never meets the floor. Use a lower row.",
                 ),
-                Err(NoGround::BelowCamera) => problem(ui, "This ray goes straight down or backwards. Check pitch and row."),
-                Err(NoGround::Unusable) => problem(ui, "Height and focal length must be above zero, and no uncertainty below it."),
-                Err(NoGround::TooExtreme) => problem(ui, "With these numbers there is no distance that a computer can represent."),
+                Err(NoGround::BelowCamera) => problem_ui(ui, "This ray goes straight down or backwards. Check pitch and row."),
+                Err(NoGround::Unusable) => problem_ui(ui, "Height and focal length must be above zero, and no uncertainty below it."),
+                Err(NoGround::TooExtreme) => problem_ui(ui, "With these numbers there is no distance that a computer can represent."),
             }
         }
         text::caption(
@@ -155,11 +162,11 @@ fn ground(ui: &mut Ui, solution: &Solution, unit: LengthUnit, texts: &mut Texts,
     });
 }
 
-fn problem(ui: &mut Ui, sentence: &str) {
+fn problem_ui(ui: &mut Ui, sentence: &str) {
     text::note(ui, Severity::Error, sentence, None);
 }
 
-fn ask(ui: &mut Ui, texts: &mut Texts, name: &'static str, example: &'static str, unit: &'static str, height: f32) -> Option<f64> {
+fn ask(ui: &mut Ui, texts: &mut Texts, name: &'static str, example: &'static str, unit: &'static str) -> Option<f64> {
     let typed = texts.entry(name.to_owned()).or_default();
     ui.push_id(name, |ui| {
         NumberField {
@@ -170,19 +177,12 @@ fn ask(ui: &mut Ui, texts: &mut Texts, name: &'static str, example: &'static str
             signed: unit == DEGREES,
             sigma: None,
         }
-        .show(ui, typed, height);
+        .ui(ui, typed);
     });
     read(typed)
 }
 
-fn ask_measured(
-    ui: &mut Ui,
-    texts: &mut Texts,
-    name: &'static str,
-    example: &'static str,
-    unit: &'static str,
-    height: f32,
-) -> Option<Measured> {
+fn ask_measured(ui: &mut Ui, texts: &mut Texts, name: &'static str, example: &'static str, unit: &'static str) -> Option<Measured> {
     let sigma_name = format!("σ of {name}");
     let mut sigma = texts.get(&sigma_name).cloned().unwrap_or_default();
     let typed = texts.entry(name.to_owned()).or_default();
@@ -194,7 +194,7 @@ fn ask_measured(
         signed: unit == DEGREES,
         sigma: Some(&mut sigma),
     }
-    .show(ui, typed, height);
+    .ui(ui, typed);
     let value = read(typed);
     let sigma_value = read(&sigma).unwrap_or(0.0);
     texts.insert(sigma_name, sigma);

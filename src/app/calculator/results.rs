@@ -1,13 +1,14 @@
 //! The highlighted result: what both methods say, each as soon as its inputs are complete.
 
 use crate::app::command::Command;
-use crate::app::theme::{self, Layout};
+use crate::app::context::AppContext;
+use crate::app::theme;
 use crate::app::widgets::quantity_field::length_unit_choice;
 use crate::app::widgets::{cards, text};
 use crate::core::agreement::Verdict;
 use crate::core::problem::{Method, Solution, Together};
 use crate::core::quantity::{Length, LengthUnit};
-use crate::formats::inputs::{Assessment, Unknown};
+use crate::formats::inputs::Unknown;
 use crate::formats::report;
 use egui::accesskit::Role;
 use egui::{Id, RichText, Ui, UiBuilder};
@@ -29,30 +30,15 @@ pub fn headline(solution: &Solution, unit: LengthUnit) -> Vec<(Option<&'static s
 }
 
 /// Draws the result cards.
-pub fn show(
-    ui: &mut Ui,
-    layout: Layout,
-    assessment: &Assessment,
-    inputs_unit: Option<LengthUnit>,
-    unit: LengthUnit,
-    commands: &mut Vec<Command>,
-) {
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    heading_ui(ui, cx);
+    let (layout, unit) = (cx.layout, cx.unit());
+    let assessment = cx.session.assessment();
     let solution = &assessment.solution;
-    let palette = theme::palette(ui);
-    ui.horizontal(|ui| {
-        text::heading(ui, "Results", 2, theme::strong(theme::RESULTS_HEADING_SIZE), palette.text);
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let mut chosen = unit;
-            ui.spacing_mut().interact_size.y = layout.heading_control_height();
-            length_unit_choice(ui, "unit of the results", "Unit of the results", &mut chosen, theme::UNIT_WIDTH);
-            if chosen != unit {
-                commands.push(Command::ShowResultsIn(chosen));
-            }
-            text::caption(ui, "in");
-        });
-    });
     if let Some(unknown) = &assessment.unknown {
-        card(ui, unknown.field.name(), |ui| solved(ui, unknown, inputs_unit));
+        let inputs = &cx.session.inputs;
+        let unit = inputs.unknown.and_then(|(_, field)| inputs.unit(field));
+        card(ui, unknown.field.name(), |ui| solved_ui(ui, unknown, unit));
     }
     let mut shown: Vec<Shown<'_>> = Method::ALL
         .into_iter()
@@ -60,7 +46,7 @@ pub fn show(
         .map(Shown::Method)
         .collect();
     if shown.is_empty() {
-        card(ui, "Result", |ui| empty(ui, unit));
+        card(ui, "Result", |ui| empty_ui(ui, unit));
         return;
     }
     shown.extend(solution.together.as_ref().map(Shown::Together));
@@ -70,13 +56,30 @@ pub fn show(
         cards::row(ui, row, layout.gap(), |ui, &shown| {
             card(ui, shown.name(), |ui| {
                 match shown {
-                    Shown::Method(method) => result(ui, solution, method, unit),
-                    Shown::Together(together) => combined(ui, together, unit),
+                    Shown::Method(method) => result_ui(ui, solution, method, unit),
+                    Shown::Together(together) => combined_ui(ui, together, unit),
                 }
                 cards::fill_height(ui, id);
             });
         });
     }
+}
+
+/// The heading, and the choice of the unit.
+fn heading_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    let palette = theme::palette(ui);
+    ui.horizontal(|ui| {
+        text::heading(ui, "Results", 2, theme::strong(theme::RESULTS_HEADING_SIZE), palette.text);
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let mut chosen = cx.unit();
+            ui.spacing_mut().interact_size.y = cx.layout.heading_control_height();
+            length_unit_choice(ui, "unit of the results", "Unit of the results", &mut chosen, theme::UNIT_WIDTH);
+            if chosen != cx.unit() {
+                cx.commands.push(Command::ShowResultsIn(chosen));
+            }
+            text::caption(ui, "in");
+        });
+    });
 }
 
 /// A card of the highlighted result.
@@ -96,7 +99,7 @@ impl Shown<'_> {
 }
 
 /// What both distances say together, and whether they agree.
-fn combined(ui: &mut Ui, together: &Together, unit: LengthUnit) {
+fn combined_ui(ui: &mut Ui, together: &Together, unit: LengthUnit) {
     let palette = theme::palette(ui);
     let (words, front, back) = match together.agreement.verdict {
         Some(Verdict::Agree) => ("They agree", palette.green, palette.green_tint),
@@ -133,7 +136,7 @@ fn combined(ui: &mut Ui, together: &Together, unit: LengthUnit) {
 }
 
 /// The quantity that was solved for.
-fn solved(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
+fn solved_ui(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
     let palette = theme::palette(ui);
     text::badge(
         ui,
@@ -180,7 +183,7 @@ fn number(ui: &mut Ui, value: &str, unit: &str, name: &str) {
     ui.accesskit_node_builder(response.id, |node| node.set_description(name));
 }
 
-fn result(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
+fn result_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
     let palette = theme::palette(ui);
     let (front, back) = text::badge_colors(palette, method);
     text::badge(ui, method.name(), front, back);
@@ -206,7 +209,7 @@ fn result(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
     }
 }
 
-fn empty(ui: &mut Ui, unit: LengthUnit) {
+fn empty_ui(ui: &mut Ui, unit: LengthUnit) {
     number(ui, crate::formats::number::NO_NUMBER, unit.symbol(), "Distance");
     for method in Method::ALL {
         let [first, second, third] = method.fields().map(|field| field.symbol());

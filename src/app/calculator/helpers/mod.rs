@@ -4,14 +4,15 @@ mod q_matrix;
 mod ways;
 
 use crate::app::command::{Command, Helper};
+use crate::app::context::AppContext;
 use crate::app::dialog::{DialogFrame, close_button};
 use crate::app::saved::Texts;
-use crate::app::theme::{self, Layout};
+use crate::app::theme;
 use crate::app::widgets::number_field::{NumberField, Unit};
 use crate::app::widgets::{scroll, text};
 use crate::core::camera::SENSOR_FORMATS;
 use crate::core::problem::Field;
-use crate::formats::inputs::{Entry, Inputs, Severity};
+use crate::formats::inputs::{Entry, Severity};
 use crate::formats::number::{self, plain, significant};
 use egui::{Button, ComboBox, RichText, Stroke, Ui, vec2};
 use ways::Way;
@@ -27,33 +28,32 @@ const fn title(helper: Helper) -> &'static str {
 const Q_MATRIX: &str = "A Q matrix of stereoRectify";
 
 /// Draws the helper over the screen.
-pub fn show(ui: &Ui, layout: Layout, helper: Helper, inputs: &Inputs, texts: &mut Texts, commands: &mut Vec<Command>) {
-    let height = layout.control_height();
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper) {
     let frame = DialogFrame {
         id: "helper",
         title: title(helper),
         max_width: 440.0,
     };
     let response = frame.show(ui, |ui| {
-        ui.spacing_mut().interact_size.y = height;
+        ui.spacing_mut().interact_size.y = cx.layout.control_height();
         ui.add_space(2.0 * theme::STEP);
         scroll::up_to(ui, ui.ctx().content_rect().height() - 180.0, |ui| {
-            let way = choose_way(ui, helper, texts);
+            let way = way_choice_ui(ui, helper, &mut cx.settings.texts);
             match way {
-                Some(way) => ask_way(ui, way, texts, height, commands),
-                None => q_matrix::ask_q_matrix(ui, inputs, texts, height, commands),
+                Some(way) => way_ui(ui, cx, way),
+                None => q_matrix::ui(ui, cx),
             }
         });
         ui.add_space(theme::STEP);
-        close_button(ui, "Cancel", layout)
+        close_button(ui, "Cancel", cx.layout)
     });
     if response.inner || response.should_close() {
-        commands.push(Command::Help(None));
+        cx.commands.push(Command::Help(None));
     }
 }
 
 /// The way chosen among those of `helper`; `None` is the Q matrix.
-fn choose_way(ui: &mut Ui, helper: Helper, texts: &mut Texts) -> Option<&'static Way> {
+fn way_choice_ui(ui: &mut Ui, helper: Helper, texts: &mut Texts) -> Option<&'static Way> {
     let key = format!("way: {helper:?}");
     let names: Vec<&'static str> = ways::of(helper)
         .iter()
@@ -86,10 +86,10 @@ fn choose_way(ui: &mut Ui, helper: Helper, texts: &mut Texts) -> Option<&'static
     ways::of(helper).iter().find(|way| way.name == chosen)
 }
 
-fn ask_way(ui: &mut Ui, way: &Way, texts: &mut Texts, height: f32, commands: &mut Vec<Command>) {
+fn way_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way) {
     let mut numbers = Vec::new();
     for ask in way.asks {
-        let typed = texts.entry(ask.name.to_owned()).or_default();
+        let typed = cx.settings.texts.entry(ask.name.to_owned()).or_default();
         NumberField {
             name: ask.name,
             hint: "",
@@ -98,9 +98,9 @@ fn ask_way(ui: &mut Ui, way: &Way, texts: &mut Texts, height: f32, commands: &mu
             signed: way.field == Field::Disparity,
             sigma: None,
         }
-        .show(ui, typed, height);
+        .ui(ui, typed);
         if ask.name == ways::SENSOR_WIDTH.name {
-            sensor_formats(ui, typed);
+            sensor_formats_ui(ui, typed);
         }
         if let Ok(number::Typed { number, unit: None, .. }) = number::read(typed) {
             numbers.push(number);
@@ -124,14 +124,14 @@ fn ask_way(ui: &mut Ui, way: &Way, texts: &mut Texts, height: f32, commands: &mu
     {
         text::note(ui, Severity::Error, reason, None);
     }
-    if use_button(ui, &label, usable.is_some(), height)
+    if use_button(ui, &label, usable.is_some())
         && let Some(value) = usable
     {
-        commands.push(Command::Fix(way.field, Entry::new(plain(*value), None)));
+        cx.commands.push(Command::Fix(way.field, Entry::new(plain(*value), None)));
     }
 }
 
-fn sensor_formats(ui: &mut Ui, typed: &mut String) {
+fn sensor_formats_ui(ui: &mut Ui, typed: &mut String) {
     ComboBox::from_id_salt("sensor formats")
         .selected_text("Common formats…")
         .width(200.0)
@@ -149,7 +149,8 @@ fn sensor_formats(ui: &mut Ui, typed: &mut String) {
     ui.add_space(2.0 * theme::STEP);
 }
 
-fn use_button(ui: &mut Ui, label: &str, enabled: bool, height: f32) -> bool {
+fn use_button(ui: &mut Ui, label: &str, enabled: bool) -> bool {
+    let height = ui.spacing().interact_size.y;
     let palette = theme::palette(ui);
     let button = Button::new(RichText::new(label).font(theme::strong(theme::BODY_SIZE)).color(palette.on_blue))
         .fill(palette.blue)

@@ -1,21 +1,22 @@
 //! Everything that a Q matrix of `stereoRectify` holds: focal length, baseline, doffs and the principal point.
 
 use crate::app::command::Command;
-use crate::app::saved::Texts;
+use crate::app::context::AppContext;
 use crate::app::theme;
 use crate::app::widgets::text;
 use crate::core::problem::Field;
+use crate::core::q_matrix::StereoGeometry;
 use crate::core::quantity::LengthUnit;
 use crate::formats::inputs::{Entry, Inputs, Severity};
 use crate::formats::number::{plain, significant};
 use crate::formats::q_matrix;
-use egui::{Button, RichText, TextEdit, Ui, vec2};
+use egui::{Button, Id, RichText, TextEdit, Ui, vec2};
 
 /// Draws a field for the matrix, and for each unit of the baseline a button that fills in the form.
-pub fn ask_q_matrix(ui: &mut Ui, inputs: &Inputs, texts: &mut Texts, height: f32, commands: &mut Vec<Command>) {
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let palette = theme::palette(ui);
     let name = ui.label(RichText::new("Q matrix").font(theme::strong(theme::BODY_SIZE)).color(palette.text));
-    let typed = texts.entry("Q matrix".to_owned()).or_default();
+    let typed = cx.settings.texts.entry("Q matrix".to_owned()).or_default();
     let field = ui
         .add(
             TextEdit::multiline(typed)
@@ -29,45 +30,52 @@ pub fn ask_q_matrix(ui: &mut Ui, inputs: &Inputs, texts: &mut Texts, height: f32
     if typed.trim().is_empty() {
         return;
     }
-    let geometry = match q_matrix::read(typed) {
-        Ok(geometry) => geometry,
+    match q_matrix::read(typed) {
+        Ok(geometry) => geometry_ui(ui, cx, &geometry, field.id),
         Err(reason) => {
             text::note(ui, Severity::Error, &reason, Some(field.id));
-            return;
         }
-    };
+    }
+}
+
+/// What the matrix in `field` says, and what it does not: the unit of the baseline.
+fn geometry_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, field: Id) {
+    let baseline = significant(geometry.baseline, 6);
     ui.label(format!(
-        "fx {} px, baseline {}, doffs {} px, principal point ({}, {}) px",
+        "fx {} px, baseline {baseline}, doffs {} px, principal point ({}, {}) px",
         significant(geometry.focal_length.px(), 7),
-        significant(geometry.baseline, 6),
         plain(geometry.doffs.px()),
         significant(geometry.cx.px(), 6),
         significant(geometry.cy.px(), 6)
     ));
     if geometry.swapped {
         let warning = "The sign of this Q means that left and right are swapped, or that T has the wrong sign: depths come out negative.";
-        text::note(ui, Severity::Warning, warning, Some(field.id));
+        text::note(ui, Severity::Warning, warning, Some(field));
     }
     ui.add_space(theme::STEP);
-    ui.label(format!(
-        "A Q matrix carries no unit. In which unit is the baseline {}?",
-        significant(geometry.baseline, 6)
-    ));
+    ui.label(format!("A Q matrix carries no unit. In which unit is the baseline {baseline}?"));
     ui.horizontal_wrapped(|ui| {
+        let height = ui.spacing().interact_size.y;
         for unit in LengthUnit::ALL {
-            let label = format!("{} {}", significant(geometry.baseline, 6), unit.symbol());
+            let label = format!("{baseline} {}", unit.symbol());
             if ui.add(Button::new(label).min_size(vec2(0.0, height))).clicked() {
-                let mut filled = inputs.clone();
-                *filled.entry_mut(Field::FocalLength) = Entry::new(plain(geometry.focal_length.px()), None);
-                *filled.entry_mut(Field::Baseline) = Entry::new(plain(geometry.baseline), Some(unit));
-                let doffs = geometry.doffs.px();
-                *filled.entry_mut(Field::Doffs) = Entry::new(if doffs == 0.0 { String::new() } else { plain(doffs) }, None);
-                commands.push(Command::PrincipalPoint(geometry.cx, geometry.cy));
-                commands.push(Command::Open(
+                let filled = filled_in(&cx.session.inputs, geometry, unit);
+                cx.commands.push(Command::PrincipalPoint(geometry.cx, geometry.cy));
+                cx.commands.push(Command::Open(
                     Box::new(filled),
                     "The Q matrix filled in focal length, baseline and doffs.",
                 ));
             }
         }
     });
+}
+
+/// `inputs` with what the matrix says, its baseline in `unit`.
+fn filled_in(inputs: &Inputs, geometry: &StereoGeometry, unit: LengthUnit) -> Inputs {
+    let mut filled = inputs.clone();
+    *filled.entry_mut(Field::FocalLength) = Entry::new(plain(geometry.focal_length.px()), None);
+    *filled.entry_mut(Field::Baseline) = Entry::new(plain(geometry.baseline), Some(unit));
+    let doffs = geometry.doffs.px();
+    *filled.entry_mut(Field::Doffs) = Entry::new(if doffs == 0.0 { String::new() } else { plain(doffs) }, None);
+    filled
 }
