@@ -5,6 +5,7 @@ use super::calculator::geometry;
 use super::command::Command;
 use super::context::AppContext;
 use super::notice::Notice;
+use super::platform::Event;
 use super::saved::{Saved, Screen};
 use super::theme::{self, Layout};
 use super::widgets::quantity_field;
@@ -15,27 +16,11 @@ use crate::formats::{link, number, report};
 impl App {
     /// Everything that happens between two frames.
     pub(super) fn update(&mut self, ctx: &egui::Context) {
-        if let Some(fragment) = self.platform.link() {
-            self.carry_out(ctx, Command::Follow(fragment));
-        }
         for command in std::mem::take(&mut self.pending) {
             self.carry_out(ctx, command);
         }
-        match self.platform.copied() {
-            Some(Ok(())) => self.say("Results copied to the clipboard.", None),
-            Some(Err(reason)) => self.say(&reason, None),
-            None => {}
-        }
-        let colors = self.platform.forced_colors();
-        if colors != self.system_colors {
-            self.system_colors = colors;
-            theme::force(ctx, colors);
-        }
-        if self.platform.stored_elsewhere() {
-            self.say(
-                "Another tab changed what is stored. Both go on; what is changed last is what a reload brings back. To keep these numbers, change something here, or copy them.",
-                None,
-            );
+        for event in self.platform.events() {
+            self.take(ctx, event);
         }
         self.calculator.logic(&mut AppContext {
             egui: ctx,
@@ -46,6 +31,24 @@ impl App {
             commands: &mut self.pending,
         });
         self.store();
+    }
+
+    fn take(&mut self, ctx: &egui::Context, event: Event) {
+        match event {
+            Event::Copied(Ok(())) => self.say("Results copied to the clipboard.", None),
+            Event::Copied(Err(reason)) => self.say(&reason, None),
+            Event::StoredElsewhere => self.say(
+                "Another tab changed what is stored. Both go on; what is changed last is what a reload brings back. To keep these numbers, change something here, or copy them.",
+                None,
+            ),
+            Event::Colors(colors) => {
+                if colors != self.system_colors {
+                    self.system_colors = colors;
+                    theme::force(ctx, colors);
+                }
+            }
+            Event::Link(fragment) => self.carry_out(ctx, Command::Follow(fragment)),
+        }
     }
 
     /// The one place where commands take effect.
@@ -196,5 +199,82 @@ impl App {
                 None,
             );
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::platform::{Licenses, Platform};
+    use crate::app::theme::SystemColors;
+    use egui::{Color32, Theme};
+
+    /// A machine on which these things have happened.
+    struct Machine(Vec<Event>);
+
+    impl Platform for Machine {
+        fn load(&self) -> Result<Option<String>, String> {
+            Ok(None)
+        }
+        fn save(&mut self, _text: &str) -> Result<(), String> {
+            Ok(())
+        }
+        fn set_aside(&mut self) -> Result<Option<String>, String> {
+            Ok(None)
+        }
+        fn copy(&mut self, _ctx: &egui::Context, _text: String) {}
+        fn events(&mut self) -> Vec<Event> {
+            std::mem::take(&mut self.0)
+        }
+        fn commit(&self) -> Option<String> {
+            None
+        }
+        fn licenses(&self) -> Licenses {
+            Licenses::Page("")
+        }
+    }
+
+    /// The application after `events`.
+    fn after(events: Vec<Event>) -> (egui::Context, App) {
+        let ctx = egui::Context::default();
+        let cc = eframe::CreationContext::_new_kittest(ctx.clone());
+        let mut app = App::new(&cc, Box::new(Machine(events)));
+        app.update(&ctx);
+        (ctx, app)
+    }
+
+    fn said(app: &App) -> &str {
+        app.notice.as_ref().map_or("", |notice| &notice.text)
+    }
+
+    #[test]
+    fn what_another_tab_stores_is_said_and_what_happens_last_is_said_last() {
+        let (_, app) = after(vec![Event::StoredElsewhere]);
+        assert!(said(&app).starts_with("Another tab changed what is stored."));
+        let (_, app) = after(vec![Event::StoredElsewhere, Event::Copied(Err("No clipboard.".to_owned()))]);
+        assert_eq!(said(&app), "No clipboard.");
+    }
+
+    #[test]
+    fn a_link_that_names_nothing_changes_nothing_and_leaves_the_notice() {
+        let (_, app) = after(vec![Event::Copied(Ok(())), Event::Link("#section".to_owned())]);
+        assert_eq!(said(&app), "Results copied to the clipboard.");
+        assert!(app.session.inputs.is_blank());
+    }
+
+    #[test]
+    fn chosen_colors_take_the_place_of_both_themes_until_none_are_chosen() {
+        let colors = SystemColors {
+            canvas: Color32::BLACK,
+            canvas_text: Color32::WHITE,
+            link_text: Color32::YELLOW,
+            highlight: Color32::BLUE,
+            button_border: Color32::WHITE,
+        };
+        let background = |ctx: &egui::Context| [Theme::Light, Theme::Dark].map(|theme| ctx.style_of(theme).visuals.panel_fill);
+        let (ctx, _) = after(vec![Event::Colors(Some(colors))]);
+        assert_eq!(background(&ctx), [Color32::BLACK; 2]);
+        let (ctx, _) = after(vec![Event::Colors(Some(colors)), Event::Colors(None)]);
+        assert_eq!(background(&ctx), background(&after(Vec::new()).0));
     }
 }

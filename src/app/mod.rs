@@ -26,7 +26,7 @@ use command::Command;
 use dialog::Dialog;
 use egui::Ui;
 use notice::Notice;
-pub use platform::{COPY_RESULTS, Licenses, Platform};
+pub use platform::{COPY_RESULTS, Event, Licenses, Platform};
 use saved::{Saved, Screen, Settings};
 use session::Session;
 pub use theme::SystemColors;

@@ -26,32 +26,30 @@ pub trait Platform {
     /// A sentence saying why not. What is stored is then still in its place.
     fn set_aside(&mut self) -> Result<Option<String>, String>;
 
-    /// Starts putting `text` on the clipboard; the outcome comes later from [`Self::copied`].
+    /// Starts putting `text` on the clipboard; the outcome comes later as [`Event::Copied`].
     fn copy(&mut self, ctx: &egui::Context, text: String);
 
-    /// The outcome of the last [`Self::copy`], once.
-    fn copied(&mut self) -> Option<Result<(), String>>;
-
-    /// Whether another tab or window has stored something since the last call.
-    fn stored_elsewhere(&mut self) -> bool {
-        false
-    }
-
-    /// The colours that a person has chosen for everything on the screen, if so.
-    fn forced_colors(&mut self) -> Option<SystemColors> {
-        None
-    }
+    /// What has happened outside the program since the last call, in order. Whoever adds an event asks egui for a frame.
+    fn events(&mut self) -> Vec<Event>;
 
     /// The commit that the program was built from, where that is known.
     fn commit(&self) -> Option<String>;
 
     /// The licenses of the program and of everything in it.
     fn licenses(&self) -> Licenses;
+}
 
-    /// The part behind the `#` of a link that was followed to the program, once.
-    fn link(&mut self) -> Option<String> {
-        None
-    }
+/// Something that has happened outside the program.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Event {
+    /// The outcome of a [`Platform::copy`], or a sentence saying why it failed.
+    Copied(Result<(), String>),
+    /// Another tab or window has stored something.
+    StoredElsewhere,
+    /// The person has chosen these colors for everything on the screen, or none any more.
+    Colors(Option<SystemColors>),
+    /// A link to the program was followed: the part behind its `#`.
+    Link(String),
 }
 
 /// Where the licenses of everything in the program are.
