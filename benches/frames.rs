@@ -44,8 +44,8 @@ impl Platform for Machine {
         Licenses::Text("")
     }
     fn copy(&mut self, _ctx: &egui::Context, _text: String) {}
-    fn copied(&mut self) -> Option<Result<(), String>> {
-        None
+    fn events(&mut self) -> Vec<depth_calculator::app::Event> {
+        Vec::new()
     }
 }
 

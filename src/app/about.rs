@@ -1,38 +1,39 @@
 //! What the program is, and under which licenses it and everything in it may be used.
 
 use super::command::Command;
-use super::theme::{self, Layout};
-use super::widgets::text;
-use super::{Licenses, Platform};
-use egui::{Button, Modal, Ui, vec2};
+use super::context::AppContext;
+use super::dialog::{DialogFrame, close_button};
+use super::platform::Licenses;
+use super::theme;
+use egui::Ui;
 
 /// The button that opens the dialog.
 pub const NAME: &str = "About Depth Calculator";
 
 /// The dialog, over the screen.
-pub fn show(ui: &Ui, layout: Layout, platform: &dyn Platform, commands: &mut Vec<Command>) {
-    let palette = theme::palette(ui);
-    let response = Modal::new(egui::Id::unique("about"))
-        .frame(theme::card(palette))
-        .show(ui.ctx(), |ui| {
-            ui.set_width((ui.ctx().content_rect().width() - 72.0).min(640.0));
-            text::heading(ui, NAME, 2, theme::strong(17.0), palette.text);
-            ui.add_space(theme::STEP);
-            ui.label(version(platform.commit().as_deref()));
-            ui.label("You may use, change and share it under the MIT or the Apache 2.0 license, as you like.");
-            ui.label("Its fonts are Inter (SIL Open Font License 1.1) and DejaVu (a license of its own).");
-            match platform.licenses() {
-                Licenses::Page(address) => {
-                    ui.hyperlink_to("Licenses of the fonts and of every library in it", address);
-                }
-                #[cfg(not(target_arch = "wasm32"))]
-                Licenses::Text(licenses) => full_text(ui, licenses),
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    let frame = DialogFrame {
+        id: "about",
+        title: NAME,
+        max_width: 640.0,
+    };
+    let response = frame.show(ui, |ui| {
+        ui.add_space(theme::STEP);
+        ui.label(version(cx.platform.commit().as_deref()));
+        ui.label("You may use, change and share it under the MIT or the Apache 2.0 license, as you like.");
+        ui.label("Its fonts are Inter (SIL Open Font License 1.1) and DejaVu (a license of its own).");
+        match cx.platform.licenses() {
+            Licenses::Page(address) => {
+                ui.hyperlink_to("Licenses of the fonts and of every library in it", address);
             }
-            ui.add_space(2.0 * theme::STEP);
-            ui.add_sized(vec2(96.0, layout.control_height()), Button::new("Close")).clicked()
-        });
+            #[cfg(not(target_arch = "wasm32"))]
+            Licenses::Text(licenses) => full_text_ui(ui, licenses),
+        }
+        ui.add_space(2.0 * theme::STEP);
+        close_button(ui, "Close", cx.layout)
+    });
     if response.inner || response.should_close() {
-        commands.push(Command::ShowDialog(None));
+        cx.commands.push(Command::ShowDialog(None));
     }
 }
 
@@ -47,9 +48,10 @@ fn version(commit: Option<&str>) -> String {
 
 /// Thousands of lines, of which only those in sight are laid out. Nothing in the text takes the focus: the keys that turn pages scroll it.
 #[cfg(not(target_arch = "wasm32"))]
-fn full_text(ui: &mut Ui, licenses: &'static str) {
+fn full_text_ui(ui: &mut Ui, licenses: &'static str) {
+    use super::widgets::text;
     use egui::accesskit::Role;
-    use egui::{Key, Label, Modifiers, RichText, ScrollArea, TextStyle, UiBuilder};
+    use egui::{Key, Label, Modifiers, RichText, ScrollArea, TextStyle, UiBuilder, vec2};
 
     ui.add_space(2.0 * theme::STEP);
     text::heading(

@@ -1,20 +1,32 @@
 //! What a person can want. Screens add [`Command`]s to a list, as one click can be two things (a field is left, a button is
 //! pressed); `App::logic` is the one place that carries them out, in order.
 
-use super::calculator::helpers::Helper;
+use super::dialog::Dialog;
 use super::saved::Screen;
+use crate::core::problem::Field;
 use crate::core::quantity::{LengthUnit, Pixels};
 use crate::formats::field::Key;
 use crate::formats::inputs::{Entry, Inputs};
 use egui::ThemePreference;
 
-/// What can stand over the screen.
+/// A dialog of the calculator that knows where a number comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Dialog {
-    /// The list of keys.
-    Keys,
-    /// What the program is, and its licenses.
-    About,
+pub enum Helper {
+    /// Where a focal length comes from.
+    FocalLength,
+    /// What a program calls a disparity, and doffs.
+    Disparity,
+}
+
+impl Helper {
+    /// The helper that is offered at `field`, and what its link says.
+    pub const fn at(field: Field) -> Option<(Self, &'static str)> {
+        match field {
+            Field::FocalLength => Some((Self::FocalLength, "from lens, FOV or Q…")),
+            Field::Disparity => Some((Self::Disparity, "OpenCV ×16, doffs…")),
+            _ => None,
+        }
+    }
 }
 
 /// Something a person asked for.

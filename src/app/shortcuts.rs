@@ -1,13 +1,15 @@
 //! The keys that the program knows, and the list of them that `?` shows.
 
 use super::about;
-use super::command::{Command, Dialog};
-use super::theme::{self, Layout};
+use super::command::Command;
+use super::context::AppContext;
+use super::dialog::{Dialog, DialogFrame, close_button};
+use super::theme;
 use super::widgets::table::{Cell, row, table};
 use super::widgets::text;
 use egui::accesskit::Role;
 use egui::text::LayoutJob;
-use egui::{Button, Event, Key, Modal, Modifiers, Ui, vec2};
+use egui::{Event, Key, Modifiers, Ui};
 
 const KEYS: [(&str, &str); 9] = [
     ("Tab, Shift + Tab", "Next field or button, and the one before"),
@@ -47,38 +49,39 @@ pub fn pressed(ctx: &egui::Context) -> Option<Command> {
 }
 
 /// The list, over the screen.
-pub fn list(ui: &Ui, layout: Layout, commands: &mut Vec<Command>) {
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let palette = theme::palette(ui);
-    let response = Modal::new(egui::Id::unique("keys"))
-        .frame(theme::card(palette))
-        .show(ui.ctx(), |ui| {
-            ui.set_width((ui.ctx().content_rect().width() - 72.0).min(460.0));
-            text::heading(ui, "Keys", 2, theme::strong(17.0), palette.text);
-            table(ui, "Keys", |ui| {
-                for (keys, what) in KEYS {
-                    let cell = |text: &str, font, role| Cell {
-                        text: LayoutJob::simple(text.to_owned(), font, palette.text, 0.0),
-                        role,
-                        align_right: false,
-                    };
-                    let cells = vec![
-                        cell(keys, theme::strong(theme::BODY_SIZE), Role::RowHeader),
-                        cell(what, theme::regular(theme::BODY_SIZE), Role::Cell),
-                    ];
-                    row(ui, cells, &[1.0, 1.6]);
-                }
-            });
-            ui.add_space(2.0 * theme::STEP);
-            ui.horizontal(|ui| {
-                let closed = ui.add_sized(vec2(96.0, layout.control_height()), Button::new("Close")).clicked();
-                if text::link_button(ui, about::NAME, layout).clicked() {
-                    Some(Some(Dialog::About))
-                } else {
-                    closed.then_some(None)
-                }
-            })
-            .inner
+    let frame = DialogFrame {
+        id: "keys",
+        title: "Keys",
+        max_width: 460.0,
+    };
+    let response = frame.show(ui, |ui| {
+        table(ui, "Keys", |ui| {
+            for (keys, what) in KEYS {
+                let cell = |text: &str, font, role| Cell {
+                    text: LayoutJob::simple(text.to_owned(), font, palette.text, 0.0),
+                    role,
+                    align_right: false,
+                };
+                let cells = vec![
+                    cell(keys, theme::strong(theme::BODY_SIZE), Role::RowHeader),
+                    cell(what, theme::regular(theme::BODY_SIZE), Role::Cell),
+                ];
+                row(ui, cells, &[1.0, 1.6]);
+            }
         });
+        ui.add_space(2.0 * theme::STEP);
+        ui.horizontal(|ui| {
+            let closed = close_button(ui, "Close", cx.layout);
+            if text::link_button(ui, about::NAME, cx.layout).clicked() {
+                Some(Some(Dialog::About))
+            } else {
+                closed.then_some(None)
+            }
+        })
+        .inner
+    });
     let next = response.inner.or_else(|| response.should_close().then_some(None));
-    commands.extend(next.map(Command::ShowDialog));
+    cx.commands.extend(next.map(Command::ShowDialog));
 }

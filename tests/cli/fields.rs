@@ -15,8 +15,8 @@ use depth_calculator::formats::unit::Unit;
 /// Every unit, with the words for it.
 const UNITS: [(Unit, &[&str]); 9] = [
     (Unit::Pixel, &["px", "pixels"]),
-    (Unit::Length(LengthUnit::Millimetre), &["mm", "millimeters"]),
-    (Unit::Length(LengthUnit::Centimetre), &["cm", "centimeter"]),
+    (Unit::Length(LengthUnit::Millimeter), &["mm", "millimeters"]),
+    (Unit::Length(LengthUnit::Centimeter), &["cm", "centimeter"]),
     (Unit::Length(LengthUnit::Meter), &["m", "meters"]),
     (Unit::Length(LengthUnit::Inch), &["in", "\""]),
     (Unit::Length(LengthUnit::Foot), &["ft", "feet"]),

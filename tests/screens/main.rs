@@ -74,11 +74,11 @@ impl Platform for Machine {
     fn licenses(&self) -> Licenses {
         self.licenses.unwrap_or(Licenses::Page("licenses.html"))
     }
-    fn copied(&mut self) -> Option<Result<(), String>> {
-        self.copied.borrow_mut().take()
-    }
-    fn link(&mut self) -> Option<String> {
-        self.link.borrow_mut().take()
+    fn events(&mut self) -> Vec<depth_calculator::app::Event> {
+        use depth_calculator::app::Event;
+        let link = self.link.borrow_mut().take().map(Event::Link);
+        let copied = self.copied.borrow_mut().take().map(Event::Copied);
+        link.into_iter().chain(copied).collect()
     }
 }
 

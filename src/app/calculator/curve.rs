@@ -2,14 +2,14 @@
 
 use crate::app::command::Command;
 use crate::app::theme;
-use crate::app::widgets::picture;
+use crate::app::widgets::{picture, plot};
 use crate::core::problem::{Field, Solution};
 use crate::core::quantity::{Length, LengthUnit, Pixels};
 use crate::core::stereo;
 use crate::formats::{number, report};
 use egui::accesskit::{Action, ActionData, Role};
 use egui::{Align2, CursorIcon, Id, Key, Rect, Response, Sense, Stroke, Ui, pos2, vec2};
-use egui_plot::{GridMark, Line, Plot, PlotPoint, PlotPoints};
+use egui_plot::{Line, PlotPoint, PlotPoints, PlotResponse};
 
 pub const TITLE: &str = "Distance against disparity";
 
@@ -37,8 +37,8 @@ impl Model {
         let depth = stereo::depth(focal_length, baseline, Pixels::new(around)).m();
         let model = Self {
             depth_at_one_px_m: stereo::depth(focal_length, baseline, Pixels::new(1.0)).m(),
-            disparity_end_px: picture::round_up(around * 1.6),
-            depth_end_m: picture::round_up(depth * 1.6),
+            disparity_end_px: plot::round_up(around * 1.6),
+            depth_end_m: plot::round_up(depth * 1.6),
         };
         [model.depth_at_one_px_m, model.disparity_end_px, model.depth_end_m, around]
             .iter()
@@ -73,7 +73,7 @@ impl Model {
 
 impl Curve {
     /// Draws the picture; a drag of the point is added to `commands`.
-    pub fn show(&mut self, ui: &mut Ui, solution: &Solution, unit: LengthUnit, commands: &mut Vec<Command>) {
+    pub fn ui(&mut self, ui: &mut Ui, solution: &Solution, unit: LengthUnit, commands: &mut Vec<Command>) {
         let problem = &solution.problem;
         let disparity = problem
             .disparity
@@ -92,74 +92,33 @@ impl Curve {
             );
             return;
         };
-        let response = plot(ui, &model, unit);
-        let point = disparity.zip(solution.stereo.distance());
-        let description = match point {
-            Some((disparity, distance)) => format!(
-                "Curve of distance against disparity, falling as one over the disparity. At {} px the distance is {}.",
-                number::plain(disparity.px()),
-                report::length(Some(distance), unit)
-            ),
-            None => {
-                "Curve of distance against disparity, falling as one over the disparity. Enter a disparity to see its point.".to_owned()
-            }
-        };
-        picture::describe(ui, &response.response, TITLE, &description);
+        let drawn = plot_ui(ui, model, unit);
+        let point = disparity
+            .zip(solution.stereo.distance())
+            .map(|(disparity, distance)| Point::new(disparity, distance, unit));
+        picture::describe(ui, &drawn.plot.response, TITLE, &description(point.as_ref()));
         if let Some(point) = point {
-            self.handle(ui, &model, &response, point, unit, commands);
+            self.point_ui(ui, &drawn, &point, commands);
         }
     }
 
     /// The point: painted, and moved by pointer, arrow keys and assistive technology.
-    fn handle(
-        &mut self,
-        ui: &mut Ui,
-        model: &Model,
-        plot: &egui_plot::PlotResponse<()>,
-        (disparity, distance): (Pixels, Length),
-        unit: LengthUnit,
-        commands: &mut Vec<Command>,
-    ) {
-        let frame = plot.response.rect;
+    fn point_ui(&mut self, ui: &Ui, drawn: &Drawn, point: &Point, commands: &mut Vec<Command>) {
+        let Drawn { model, plot } = drawn;
         let at = plot.transform.position_from_point(&PlotPoint::new(
-            disparity.px() / model.disparity_end_px,
-            (distance.m() / model.depth_end_m).min(1.0),
+            point.disparity_px / model.disparity_end_px,
+            (point.distance_m / model.depth_end_m).min(1.0),
         ));
         let target = Rect::from_center_size(at, vec2(theme::CONTROL_HEIGHT_TOUCH, theme::CONTROL_HEIGHT_TOUCH));
         let handle = ui.interact(target, Id::unique("disparity point"), Sense::click_and_drag());
-        let words = format!("{} px → {}", number::plain(disparity.px()), report::length(Some(distance), unit));
-        ui.accesskit_node_builder(handle.id, |node| {
-            node.set_role(Role::Slider);
-            node.set_label("Disparity of the point, in pixels");
-            node.set_numeric_value(disparity.px());
-            node.set_min_numeric_value(0.0);
-            node.set_max_numeric_value(model.disparity_end_px);
-            node.add_action(Action::SetValue);
-            node.set_value(words.clone());
-            node.add_action(Action::Increment);
-            node.add_action(Action::Decrement);
-        });
-        paint_point(ui, &handle, frame, at, &words);
-
-        let mut target = None;
+        point.describe(ui, &handle, model);
+        paint_point(ui, &handle, plot.response.rect, at, &point.words());
         if handle.drag_started() {
             self.held = Some(*model);
         }
-        if handle.dragged()
-            && let Some(pointer) = handle.interact_pointer_pos()
-        {
-            target = Some(plot.transform.value_from_position(pointer).x);
-        }
-        if let Some(disparity) = asked_for(ui, &handle) {
-            target = Some(disparity / model.disparity_end_px);
-        }
-        let steps = steps(ui, &handle);
-        if steps != 0 {
-            target = Some(disparity.px() / model.disparity_end_px + f64::from(steps) / 100.0);
-        }
-        if let Some(x) = target {
-            let moved = model.disparity_at(x, frame.width());
-            if moved != disparity.px() {
+        if let Some(x) = wanted(ui, &handle, drawn, point) {
+            let moved = model.disparity_at(x, plot.response.rect.width());
+            if moved != point.disparity_px {
                 commands.push(Command::DragDisparity(moved));
             }
         }
@@ -171,6 +130,73 @@ impl Curve {
         }
         handle.on_hover_cursor(CursorIcon::Grab);
     }
+}
+
+/// The curve as it has been drawn.
+struct Drawn {
+    model: Model,
+    plot: PlotResponse<()>,
+}
+
+/// The current point.
+struct Point {
+    disparity_px: f64,
+    distance_m: f64,
+    /// The distance in the unit of the results.
+    distance: String,
+}
+
+impl Point {
+    fn new(disparity: Pixels, distance: Length, unit: LengthUnit) -> Self {
+        Self {
+            disparity_px: disparity.px(),
+            distance_m: distance.m(),
+            distance: report::length(Some(distance), unit),
+        }
+    }
+
+    fn words(&self) -> String {
+        format!("{} px → {}", number::plain(self.disparity_px), self.distance)
+    }
+
+    /// Makes a slider of `handle` for assistive technology.
+    fn describe(&self, ui: &Ui, handle: &Response, model: &Model) {
+        ui.accesskit_node_builder(handle.id, |node| {
+            node.set_role(Role::Slider);
+            node.set_label("Disparity of the point, in pixels");
+            node.set_numeric_value(self.disparity_px);
+            node.set_min_numeric_value(0.0);
+            node.set_max_numeric_value(model.disparity_end_px);
+            node.add_action(Action::SetValue);
+            node.set_value(self.words());
+            node.add_action(Action::Increment);
+            node.add_action(Action::Decrement);
+        });
+    }
+}
+
+fn description(point: Option<&Point>) -> String {
+    const CURVE: &str = "Curve of distance against disparity, falling as one over the disparity.";
+    match point {
+        Some(point) => format!(
+            "{CURVE} At {} px the distance is {}.",
+            number::plain(point.disparity_px),
+            point.distance
+        ),
+        None => format!("{CURVE} Enter a disparity to see its point."),
+    }
+}
+
+/// Where on the axis of disparities, as a fraction of it, the person wants the point; `None` where it is to stay.
+fn wanted(ui: &Ui, handle: &Response, drawn: &Drawn, point: &Point) -> Option<f64> {
+    let Drawn { model, plot } = drawn;
+    // All are asked, because that takes the keys and requests out of the input. The keyboard wins.
+    let dragged = handle.dragged().then(|| handle.interact_pointer_pos()).flatten();
+    let dragged = dragged.map(|pointer| plot.transform.value_from_position(pointer).x);
+    let set = asked_for(ui, handle).map(|disparity| disparity / model.disparity_end_px);
+    let steps = steps(ui, handle);
+    let stepped = (steps != 0).then(|| point.disparity_px / model.disparity_end_px + f64::from(steps) / 100.0);
+    stepped.or(set).or(dragged)
 }
 
 /// The disparity, in pixels, that assistive technology asks for.
@@ -233,58 +259,22 @@ fn label(ui: &Ui, frame: Rect, at: egui::Pos2, text: &str) {
     ui.painter().galley(rect.min, galley, palette.text);
 }
 
-fn plot(ui: &mut Ui, model: &Model, unit: LengthUnit) -> egui_plot::PlotResponse<()> {
-    let palette = theme::palette(ui);
+fn plot_ui(ui: &mut Ui, model: Model, unit: LengthUnit) -> Drawn {
+    let color = theme::palette(ui).blue;
     let depth_end = Length::from_m(model.depth_end_m).in_unit(unit);
     let disparity_end = model.disparity_end_px;
-    let marks = |end: f64| -> Vec<GridMark> {
-        picture::ticks(end, 4)
-            .into_iter()
-            .map(|tick| GridMark {
-                value: tick / end,
-                step_size: 1.0,
-            })
-            .collect()
-    };
-    let (x_marks, y_marks) = (marks(disparity_end), marks(depth_end));
-    let points = model.points();
-    picture::plot_type(ui);
-    Plot::new("curve")
-        .height(theme::PICTURE_HEIGHT)
-        .allow_drag(false)
-        .allow_scroll(false)
-        .allow_zoom(false)
-        .allow_boxed_zoom(false)
-        .allow_double_click_reset(false)
-        .show_x(false)
-        .show_y(false)
-        .show_background(false)
-        .sense(Sense::hover())
-        .set_margin_fraction(egui::Vec2::ZERO)
-        .default_x_bounds(0.0, 1.0)
-        .default_y_bounds(0.0, 1.0)
-        .auto_bounds(false)
-        .grid_color(palette.line)
-        .grid_fade(0.0)
+    let (x_marks, y_marks) = (plot::marks(disparity_end), plot::marks(depth_end));
+    let plot = plot::plot(ui, "curve", 0.0..=1.0)
         .x_axis_label("Disparity (px)")
         .x_grid_spacer(move |_| x_marks.clone())
         .y_grid_spacer(move |_| y_marks.clone())
         .x_axis_formatter(move |mark, _| number::plain(mark.value * disparity_end))
-        .y_axis_formatter(move |mark, _| {
-            if mark.value == 0.0 {
-                "0".to_owned()
-            } else {
-                format!("{} {}", number::plain(mark.value * depth_end), unit.symbol())
-            }
-        })
+        .y_axis_formatter(move |mark, _| plot::mark_label(mark, depth_end, unit))
         .show(ui, |plot| {
-            plot.line(
-                Line::new("distance", PlotPoints::from(points))
-                    .color(palette.blue)
-                    .width(2.5)
-                    .allow_hover(false),
-            );
-        })
+            let line = Line::new("distance", PlotPoints::from(model.points()));
+            plot.line(line.color(color).width(2.5).allow_hover(false));
+        });
+    Drawn { model, plot }
 }
 
 #[cfg(test)]

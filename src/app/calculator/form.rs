@@ -1,13 +1,14 @@
 //! The form: five fields, the buttons, the examples, and the ways to ask for more.
 
-use super::helpers::Helper;
 use super::unknown;
-use crate::app::command::Command;
-use crate::app::theme::{self, Layout};
-use crate::app::widgets::quantity_field::{self, Around};
+use crate::app::command::{Command, Helper};
+use crate::app::context::AppContext;
+use crate::app::platform::COPY_RESULTS;
+use crate::app::theme;
+use crate::app::widgets::quantity_field::{Annotations, QuantityField};
 use crate::app::widgets::text;
 use crate::core::problem::Field;
-use crate::formats::inputs::{Assessment, Example, Inputs};
+use crate::formats::inputs::Example;
 use egui::accesskit::Role;
 use egui::{Button, RichText, Stroke, Ui, UiBuilder, vec2};
 
@@ -18,55 +19,57 @@ const SECTIONS: [(&str, &[Field]); 3] = [
 ];
 
 /// Draws the form. With `marked`, what is missing is said at the fields too.
-pub fn show(
-    ui: &mut Ui,
-    layout: Layout,
-    inputs: &mut Inputs,
-    assessment: &Assessment,
-    marked: bool,
-    shows_geometry: bool,
-    commands: &mut Vec<Command>,
-) {
-    let height = layout.control_height();
-    let missing = if marked { inputs.missing() } else { Vec::new() };
-    let around = |field: Field| Around {
-        value_note: assessment.note(field).or_else(|| missing.iter().find(|note| note.key == field)),
-        sigma_note: assessment.sigma_note(field),
-        helper: Helper::at(field),
-        computed: assessment.unknown.as_ref().filter(|unknown| unknown.field == field),
-    };
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
     let builder = UiBuilder::new().accessibility_role(Role::Form).accessibility_label("Inputs");
     ui.scope_builder(builder, |ui| {
         theme::card(theme::palette(ui)).show(ui, |ui| {
             ui.set_width(ui.available_width());
             ui.spacing_mut().item_spacing.y = theme::STEP;
-            unknown::show(ui, inputs, assessment, height, commands);
-            for (section, fields) in SECTIONS {
-                apart(ui, section, |ui| {
-                    text::card_heading(ui, section);
-                    let mut space = 2.0;
-                    for &field in fields {
-                        // Most rigs have no offset, and who has none should not have to wonder what it is.
-                        if !inputs.shows(field) {
-                            continue;
-                        }
-                        ui.add_space(space);
-                        apart(ui, field, |ui| {
-                            quantity_field::show(ui, inputs, field, around(field), height, commands)
-                        });
-                        space = 2.0 * theme::STEP;
-                    }
-                });
-                ui.add_space(2.0 * theme::STEP);
-            }
+            unknown::ui(ui, cx);
+            fields_ui(ui, cx, marked);
             apart(ui, "buttons", |ui| {
-                buttons(ui, height, commands);
+                buttons_ui(ui, cx);
                 ui.add_space(theme::STEP);
-                examples(ui, layout, commands);
-                more(ui, layout, inputs, shows_geometry, commands);
+                examples_ui(ui, cx);
+                more_ui(ui, cx);
             });
         });
     });
+}
+
+fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
+    let (inputs, assessment) = cx.session.parts();
+    let missing = if marked { inputs.missing() } else { Vec::new() };
+    let annotations = |field: Field| Annotations {
+        value_note: assessment.note(field).or_else(|| missing.iter().find(|note| note.key == field)),
+        sigma_note: assessment.sigma_note(field),
+        helper: Helper::at(field),
+        computed: assessment.unknown.as_ref().filter(|unknown| unknown.field == field),
+    };
+    for (section, fields) in SECTIONS {
+        apart(ui, section, |ui| {
+            text::card_heading(ui, section);
+            let mut space = 2.0;
+            for &field in fields {
+                // Most rigs have no offset, and who has none should not have to wonder what it is.
+                if !inputs.shows(field) {
+                    continue;
+                }
+                ui.add_space(space);
+                apart(ui, field, |ui| {
+                    let quantity_field = QuantityField {
+                        field,
+                        inputs: &mut *inputs,
+                        annotations: annotations(field),
+                        commands: &mut *cx.commands,
+                    };
+                    quantity_field.ui(ui);
+                });
+                space = 2.0 * theme::STEP;
+            }
+        });
+        ui.add_space(2.0 * theme::STEP);
+    }
 }
 
 /// Draws a part of the form with a name of its own: else everything after an error that appears would be another thing to
@@ -76,7 +79,8 @@ fn apart(ui: &mut Ui, name: impl std::hash::Hash + std::fmt::Debug, add_contents
     ui.scope_builder(builder, add_contents);
 }
 
-fn buttons(ui: &mut Ui, height: f32, commands: &mut Vec<Command>) {
+fn buttons_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    let height = cx.layout.control_height();
     let palette = theme::palette(ui);
     let calculate = Button::new(
         RichText::new("Calculate Distance")
@@ -86,7 +90,7 @@ fn buttons(ui: &mut Ui, height: f32, commands: &mut Vec<Command>) {
     .fill(palette.blue)
     .stroke(Stroke::new(1.0, palette.blue));
     if ui.add_sized(vec2(ui.available_width(), height), calculate).clicked() {
-        commands.push(Command::Calculate);
+        cx.commands.push(Command::Calculate);
     }
     ui.add_space(theme::STEP);
     ui.horizontal(|ui| {
@@ -95,28 +99,31 @@ fn buttons(ui: &mut Ui, height: f32, commands: &mut Vec<Command>) {
         for (name, wanted) in [("Reset", Command::Reset), ("Copy Results", Command::CopyResults)] {
             let button = ui.add_sized(vec2(width, height), Button::new(name));
             if wanted == Command::CopyResults {
-                ui.accesskit_node_builder(button.id, |node| node.set_author_id(crate::app::COPY_RESULTS));
+                ui.accesskit_node_builder(button.id, |node| node.set_author_id(COPY_RESULTS));
             }
             if button.clicked() {
-                commands.push(wanted);
+                cx.commands.push(wanted);
             }
         }
     });
 }
 
-fn examples(ui: &mut Ui, layout: Layout, commands: &mut Vec<Command>) {
+fn examples_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     ui.horizontal_wrapped(|ui| {
         text::caption(ui, "Examples:");
         for example in Example::ALL {
-            if text::link_button(ui, example.name(), layout).clicked() {
-                commands.push(Command::Open(Box::new(example.inputs()), "The example is filled in."));
+            if text::link_button(ui, example.name(), cx.layout).clicked() {
+                cx.commands
+                    .push(Command::Open(Box::new(example.inputs()), "The example is filled in."));
             }
         }
     });
 }
 
 /// What is not shown until it is asked for.
-fn more(ui: &mut Ui, layout: Layout, inputs: &mut Inputs, shows_geometry: bool, commands: &mut Vec<Command>) {
+fn more_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    let inputs = &mut cx.session.inputs;
+    let shows_geometry = cx.settings.shows_geometry;
     ui.horizontal_wrapped(|ui| {
         text::caption(ui, "More:");
         let name = if inputs.with_uncertainty {
@@ -124,21 +131,21 @@ fn more(ui: &mut Ui, layout: Layout, inputs: &mut Inputs, shows_geometry: bool, 
         } else {
             "Add uncertainty"
         };
-        if text::link_button(ui, name, layout).clicked() {
+        if text::link_button(ui, name, cx.layout).clicked() {
             inputs.with_uncertainty = !inputs.with_uncertainty;
-            commands.push(Command::Settle);
+            cx.commands.push(Command::Settle);
         }
-        if inputs.unknown.is_none() && text::link_button(ui, "Solve for another quantity", layout).clicked() {
+        if inputs.unknown.is_none() && text::link_button(ui, "Solve for another quantity", cx.layout).clicked() {
             inputs.unknown = Some(unknown::FIRST);
-            commands.push(Command::Settle);
+            cx.commands.push(Command::Settle);
         }
         let name = if shows_geometry {
             "Hide range, tilt and ground plane"
         } else {
             "Range, tilt, ground plane"
         };
-        if text::link_button(ui, name, layout).clicked() {
-            commands.push(Command::ShowGeometry(!shows_geometry));
+        if text::link_button(ui, name, cx.layout).clicked() {
+            cx.commands.push(Command::ShowGeometry(!shows_geometry));
         }
     });
 }

@@ -3,142 +3,180 @@
 mod bars;
 mod curve;
 mod form;
-pub mod geometry;
-pub mod helpers;
+mod geometry;
+mod helpers;
 mod results;
 mod table;
 mod top_view;
 mod uncertainty;
 mod unknown;
 
-use super::command::Command;
-use super::saved::Settings;
-use super::sheet::Sheet;
+use super::command::Helper;
+use super::context::AppContext;
+use super::session::Session;
 use super::theme::{self, Layout};
-use super::widgets::{cards, scroll, text};
+use super::widgets::{cards, quantity_field, scroll, text};
 use crate::core::quantity::LengthUnit;
-use crate::formats::inputs::Assessment;
+use crate::formats::geometry::Geometry;
+use crate::formats::inputs::{Assessment, Severity};
 use crate::formats::report;
-use egui::{Align, Id, RichText, Ui};
+use crate::formats::sentences::Statement;
+use egui::{Align, Id, Pos2, Rect, RichText, Ui, UiBuilder};
 
 /// What the screen remembers between frames beside the inputs.
 #[derive(Debug, Default)]
 pub struct Calculator {
     /// *Calculate Distance* was asked for: missing inputs are marked until something is typed.
     pub marked: bool,
-    /// Bring the results into view in the next frame.
-    pub reveal_results: bool,
     /// The helper that is open.
-    pub helper: Option<helpers::Helper>,
+    pub helper: Option<Helper>,
+    /// Range, tilt and ground plane.
+    geometry: Geometry,
+    reveal: Reveal,
     curve: curve::Curve,
     simulations: uncertainty::Simulations,
 }
 
+/// Whether the results are to be scrolled into view.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Reveal {
+    #[default]
+    No,
+    /// In the next frame.
+    Wanted,
+    /// The frame has been drawn.
+    Done,
+}
+
 impl Calculator {
-    /// Draws the screen. The sheet is refreshed after the form, so that the results belong to what is in it now.
-    pub fn show(&mut self, ui: &mut Ui, layout: Layout, sheet: &mut Sheet, settings: &mut Settings, commands: &mut Vec<Command>) {
-        let gap = layout.gap();
-        match layout {
-            Layout::Phone => {
-                scroll::column(ui, "calculator", |ui| {
-                    ui.spacing_mut().item_spacing.y = gap;
-                    self.form(ui, layout, sheet, settings, commands);
-                    self.results(ui, layout, sheet, settings, commands);
-                });
-            }
-            Layout::Tablet | Layout::Desktop | Layout::Wide => {
-                let all = ui.available_rect_before_wrap();
-                let form_width = if layout == Layout::Tablet { 320.0 } else { theme::FORM_WIDTH };
-                let (left, right) = all.split_left_right_at_x(all.left() + form_width);
-                let column = |ui: &mut Ui, rect, id, add_contents: &mut dyn FnMut(&mut Ui)| {
-                    let top_down = egui::Layout::top_down(Align::Min);
-                    ui.scope_builder(egui::UiBuilder::new().max_rect(rect).layout(top_down), |ui| {
-                        scroll::column(ui, id, |ui| {
-                            ui.spacing_mut().item_spacing.y = gap;
-                            add_contents(ui);
-                        });
+    /// Draws the screen: the form beside its results, or on a phone above them.
+    pub fn ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>) {
+        let gap = cx.layout.gap();
+        if cx.layout == Layout::Phone {
+            scroll::column(ui, "calculator", |ui| {
+                ui.spacing_mut().item_spacing.y = gap;
+                self.form_ui(ui, cx);
+                self.results_ui(ui, cx);
+            });
+        } else {
+            let all = ui.available_rect_before_wrap();
+            let (left, right) = all.split_left_right_at_x(all.left() + cx.layout.form_width());
+            let column = |ui: &mut Ui, rect, id, add_contents: &mut dyn FnMut(&mut Ui)| {
+                let top_down = egui::Layout::top_down(Align::Min);
+                ui.scope_builder(UiBuilder::new().max_rect(rect).layout(top_down), |ui| {
+                    scroll::column(ui, id, |ui| {
+                        ui.spacing_mut().item_spacing.y = gap;
+                        add_contents(ui);
                     });
-                };
-                column(ui, left, "form", &mut |ui| self.form(ui, layout, sheet, settings, commands));
-                column(ui, right.with_min_x(right.left() + gap), "results", &mut |ui| {
-                    self.results(ui, layout, sheet, settings, commands);
                 });
-            }
+            };
+            column(ui, left, "form", &mut |ui| self.form_ui(ui, cx));
+            column(ui, right.with_min_x(right.left() + gap), "results", &mut |ui| {
+                self.results_ui(ui, cx)
+            });
         }
         if let Some(helper) = self.helper {
-            helpers::show(ui, layout, helper, &sheet.inputs, settings, commands);
+            helpers::ui(ui, cx, helper);
         }
     }
 
-    /// Goes on with what takes longer than a frame. Returns whether another frame is wanted.
-    pub fn simulate(&mut self, assessment: &Assessment) -> bool {
-        self.simulations.advance(assessment)
+    /// Goes on with the simulations, which take longer than a frame.
+    pub fn logic(&mut self, cx: &mut AppContext<'_>) {
+        if self.reveal == Reveal::Done {
+            self.reveal = Reveal::No;
+        }
+        self.geometry = Geometry::assess(&cx.settings.entries, &cx.session.assessment().solution);
+        if self.simulations.advance(cx.session.assessment()) {
+            cx.egui.request_repaint();
+        }
     }
 
-    fn form(&mut self, ui: &mut Ui, layout: Layout, sheet: &mut Sheet, settings: &Settings, commands: &mut Vec<Command>) {
-        let (inputs, assessment) = sheet.parts();
-        form::show(ui, layout, inputs, assessment, self.marked, settings.shows_geometry, commands);
-        if sheet.refresh() {
+    /// Marks every problem, and goes to the first, or to the results where there is none.
+    pub fn calculate(&mut self, ctx: &egui::Context, session: &Session) {
+        self.marked = true;
+        let errors = session
+            .assessment()
+            .notes
+            .iter()
+            .filter(|note| note.severity == Severity::Error)
+            .map(|note| note.key);
+        let missing = session.inputs.missing();
+        let first = errors.chain(missing.iter().map(|note| note.key)).min();
+        match first {
+            Some(key) => ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(key))),
+            None => self.reveal_results(ctx),
+        }
+    }
+
+    /// Scrolls to the results on a phone, where the form may hide them.
+    pub fn reveal_results(&mut self, ctx: &egui::Context) {
+        let is_phone = Layout::of_width(ctx.content_rect().width()) == Layout::Phone;
+        self.reveal = if is_phone { Reveal::Wanted } else { Reveal::No };
+    }
+
+    /// Draws the form, and brings the results up to date with it.
+    fn form_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>) {
+        form::ui(ui, cx, self.marked);
+        if cx.session.refresh() {
             // Something is being typed: what is still missing is no news any more.
             self.marked = false;
         }
     }
 
-    fn results(&mut self, ui: &mut Ui, layout: Layout, sheet: &Sheet, settings: &mut Settings, commands: &mut Vec<Command>) {
-        let unit = settings.result_unit;
-        let assessment = sheet.assessment();
-        let inputs_unit = sheet.inputs.unknown.and_then(|(_, field)| sheet.inputs.unit(field));
-        let gap = layout.gap();
-        let solution = &assessment.solution;
+    fn results_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>) {
         let top = ui.cursor().min;
-        results::show(ui, layout, assessment, inputs_unit, unit, commands);
-        if std::mem::take(&mut self.reveal_results) {
-            let rect = egui::Rect::from_min_max(top, ui.min_rect().max);
+        results::ui(ui, cx);
+        self.scroll_to_results(ui, top);
+        uncertainty::ui(ui, cx, &self.simulations);
+        if cx.settings.shows_geometry {
+            geometry::ui(ui, cx, &self.geometry);
+        }
+        self.pictures_ui(ui, cx);
+        ui.add_space(cx.layout.gap());
+    }
+
+    fn scroll_to_results(&mut self, ui: &Ui, top: Pos2) {
+        if self.reveal != Reveal::No {
+            let rect = Rect::from_min_max(top, ui.min_rect().max);
             ui.scroll_to_rect(rect, Some(Align::Min));
+            self.reveal = Reveal::Done;
         }
-        uncertainty::show(ui, solution, &self.simulations, unit, layout.columns(), gap);
-        if settings.shows_geometry {
-            geometry::show(
-                ui,
-                solution,
-                unit,
-                &mut settings.entries,
-                layout.control_height(),
-                layout.columns(),
-                gap,
-            );
-        }
-        let curve = &mut self.curve;
-        let mut card = |ui: &mut Ui, which: Card, row: Id| {
-            cards::card(ui, which.title(), |ui| {
-                match which {
-                    Card::Bars => bars::show(ui, solution, unit),
-                    Card::Curve => curve.show(ui, solution, unit, commands),
-                    Card::TopView => top_view::show(ui, solution, unit),
-                    Card::Intermediate => intermediate(ui, assessment),
-                }
-                cards::fill_height(ui, row);
-            });
-        };
-        let columns = layout.columns();
-        let pictures: &[Card] = match layout {
+    }
+
+    fn pictures_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>) {
+        let (columns, gap) = (cx.layout.columns(), cx.layout.gap());
+        let pictures: &[Card] = match cx.layout {
             Layout::Wide => &[Card::Bars, Card::Curve, Card::TopView],
             _ => &[Card::Bars, Card::Curve, Card::Intermediate, Card::TopView],
         };
         for (number, row) in pictures.chunks(columns).enumerate() {
-            let id = Id::unique(("row of cards", layout.columns(), number));
-            cards::row(ui, row, gap, |ui, &which| card(ui, which, id));
+            let id = Id::unique(("row of cards", columns, number));
+            cards::row(ui, row, gap, |ui, &card| self.card_ui(ui, cx, card, id));
         }
-        if layout == Layout::Wide {
+        if cx.layout == Layout::Wide {
             let id = Id::unique("intermediate and table");
-            cards::row(ui, &[Some(Card::Intermediate), None], gap, |ui, which| match which {
-                Some(which) => card(ui, *which, id),
-                None => table::show(ui, solution),
+            cards::row(ui, &[Some(Card::Intermediate), None], gap, |ui, card| match card {
+                Some(card) => self.card_ui(ui, cx, *card, id),
+                None => table::ui(ui, &cx.session.assessment().solution),
             });
         } else {
-            table::show(ui, solution);
+            table::ui(ui, &cx.session.assessment().solution);
         }
-        ui.add_space(gap);
+    }
+
+    fn card_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>, card: Card, row: Id) {
+        let unit = cx.unit();
+        let assessment = cx.session.assessment();
+        let solution = &assessment.solution;
+        cards::card(ui, card.title(), |ui| {
+            match card {
+                Card::Bars => bars::ui(ui, solution, unit),
+                Card::Curve => self.curve.ui(ui, solution, unit, cx.commands),
+                Card::TopView => top_view::ui(ui, solution, unit),
+                Card::Intermediate => intermediate_ui(ui, assessment),
+            }
+            cards::fill_height(ui, row);
+        });
     }
 }
 
@@ -161,9 +199,9 @@ impl Card {
     }
 }
 
-fn intermediate(ui: &mut Ui, assessment: &Assessment) {
+fn intermediate_ui(ui: &mut Ui, assessment: &Assessment) {
     let solution = &assessment.solution;
-    let metres = |length| report::length(length, LengthUnit::Meter);
+    let meters = |length| report::length(length, LengthUnit::Meter);
     let width_px = solution.estimated_width_px.map_or_else(
         || crate::formats::number::NO_NUMBER.to_owned(),
         |width| crate::formats::number::significant(width.px(), report::DIGITS),
@@ -173,24 +211,23 @@ fn intermediate(ui: &mut Ui, assessment: &Assessment) {
         "Intermediate values",
         &[
             (report::ESTIMATED_WIDTH_PX, format!("{width_px} px")),
-            (report::ESTIMATED_WIDTH_M, metres(solution.estimated_width)),
-            ("Object distance (D, stereo)", metres(solution.stereo.distance())),
-            ("Object distance (D, monocular)", metres(solution.monocular.distance())),
+            (report::ESTIMATED_WIDTH_M, meters(solution.estimated_width)),
+            ("Object distance (D, stereo)", meters(solution.stereo.distance())),
+            ("Object distance (D, monocular)", meters(solution.monocular.distance())),
         ],
     );
-    text::caption(ui, report::width_check(solution));
+    text::caption(ui, Statement::widths(solution).to_string());
 }
 
-/// The bar that keeps the result in sight on a phone.
-pub fn result_bar(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
+/// The contents of the bar that keeps the result in sight on a phone.
+pub fn result_bar_ui(ui: &mut Ui, cx: &AppContext<'_>) {
     let palette = theme::palette(ui);
     ui.horizontal_wrapped(|ui| {
-        let said = results::headline(&assessment.solution, unit);
-        for (name, value) in said {
+        for (name, value) in results::headline(&cx.session.assessment().solution, cx.unit()) {
             if let Some(name) = name {
                 ui.label(RichText::new(name).color(palette.muted));
             }
-            ui.label(RichText::new(value).font(theme::strong(18.0)).color(palette.text));
+            ui.label(RichText::new(value).font(theme::strong(theme::BAR_RESULT_SIZE)).color(palette.text));
             ui.add_space(2.0 * theme::STEP);
         }
     });

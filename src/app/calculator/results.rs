@@ -1,14 +1,16 @@
 //! The highlighted result: what both methods say, each as soon as its inputs are complete.
 
 use crate::app::command::Command;
-use crate::app::theme::{self, Layout};
+use crate::app::context::AppContext;
+use crate::app::theme;
 use crate::app::widgets::quantity_field::length_unit_choice;
 use crate::app::widgets::{cards, text};
 use crate::core::agreement::{Suspect, Verdict};
 use crate::core::problem::{Comparison, Method, Solution};
 use crate::core::quantity::LengthUnit;
-use crate::formats::inputs::{Assessment, Unknown};
+use crate::formats::inputs::Unknown;
 use crate::formats::report;
+use crate::formats::sentences::Statement;
 use egui::accesskit::Role;
 use egui::{Id, RichText, Ui, UiBuilder};
 
@@ -29,34 +31,15 @@ pub fn headline(solution: &Solution, unit: LengthUnit) -> Vec<(Option<&'static s
 }
 
 /// Draws the result cards.
-pub fn show(
-    ui: &mut Ui,
-    layout: Layout,
-    assessment: &Assessment,
-    inputs_unit: Option<LengthUnit>,
-    unit: LengthUnit,
-    commands: &mut Vec<Command>,
-) {
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    heading_ui(ui, cx);
+    let (layout, unit) = (cx.layout, cx.unit());
+    let assessment = cx.session.assessment();
     let solution = &assessment.solution;
-    let palette = theme::palette(ui);
-    ui.horizontal(|ui| {
-        text::heading(ui, "Results", 2, theme::strong(16.0), palette.text);
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let mut chosen = unit;
-            ui.spacing_mut().interact_size.y = if layout == Layout::Phone {
-                theme::CONTROL_HEIGHT_TOUCH
-            } else {
-                30.0
-            };
-            length_unit_choice(ui, "unit of the results", "Unit of the results", &mut chosen, 76.0);
-            if chosen != unit {
-                commands.push(Command::ShowResultsIn(chosen));
-            }
-            text::caption(ui, "in");
-        });
-    });
     if let Some(unknown) = &assessment.unknown {
-        card(ui, unknown.field.name(), |ui| solved(ui, unknown, inputs_unit));
+        let inputs = &cx.session.inputs;
+        let unit = inputs.unknown.and_then(|(_, field)| inputs.unit(field));
+        card(ui, unknown.field.name(), |ui| solved_ui(ui, unknown, unit));
     }
     let mut shown: Vec<Shown<'_>> = Method::ALL
         .into_iter()
@@ -64,18 +47,18 @@ pub fn show(
         .map(Shown::Method)
         .collect();
     if shown.is_empty() {
-        card(ui, "Result", |ui| empty(ui, unit));
+        card(ui, "Result", |ui| empty_ui(ui, unit));
         return;
     }
-    shown.extend(solution.comparison.as_ref().map(Shown::Together));
+    shown.extend(solution.comparison.as_ref().map(Shown::Comparison));
     let columns = if layout.columns() == 1 { 1 } else { shown.len() };
     for (number, row) in shown.chunks(columns).enumerate() {
         let id = Id::unique(("results", columns, number));
         cards::row(ui, row, layout.gap(), |ui, &shown| {
             card(ui, shown.name(), |ui| {
                 match shown {
-                    Shown::Method(method) => result(ui, solution, method, unit),
-                    Shown::Together(together) => combined(ui, together, &assessment.suspects(), unit),
+                    Shown::Method(method) => result_ui(ui, solution, method, unit),
+                    Shown::Comparison(comparison) => combined_ui(ui, comparison, &assessment.suspects(), unit),
                 }
                 cards::fill_height(ui, id);
             });
@@ -83,33 +66,50 @@ pub fn show(
     }
 }
 
+/// The heading, and the choice of the unit.
+fn heading_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    let palette = theme::palette(ui);
+    ui.horizontal(|ui| {
+        text::heading(ui, "Results", 2, theme::strong(theme::RESULTS_HEADING_SIZE), palette.text);
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let mut chosen = cx.unit();
+            ui.spacing_mut().interact_size.y = cx.layout.heading_control_height();
+            length_unit_choice(ui, "unit of the results", "Unit of the results", &mut chosen, theme::UNIT_WIDTH);
+            if chosen != cx.unit() {
+                cx.commands.push(Command::ShowResultsIn(chosen));
+            }
+            text::caption(ui, "in");
+        });
+    });
+}
+
 /// A card of the highlighted result.
 #[derive(Clone, Copy)]
 enum Shown<'a> {
     Method(Method),
-    Together(&'a Comparison),
+    Comparison(&'a Comparison),
 }
 
 impl Shown<'_> {
     const fn name(self) -> &'static str {
         match self {
             Self::Method(method) => method.name(),
-            Self::Together(_) => "Combined",
+            Self::Comparison(_) => "Combined",
         }
     }
 }
 
 /// What both distances say together, and whether they agree.
-fn combined(ui: &mut Ui, together: &Comparison, suspects: &[Suspect], unit: LengthUnit) {
+fn combined_ui(ui: &mut Ui, comparison: &Comparison, suspects: &[Suspect], unit: LengthUnit) {
     let palette = theme::palette(ui);
-    let (words, front, back) = match together.agreement.verdict {
+    let (words, front, back) = match comparison.agreement.verdict {
         Some(Verdict::Agree) => ("They agree", palette.green, palette.green_tint),
         Some(Verdict::Doubtful) => ("They hardly agree", palette.orange_text, palette.orange_tint),
         Some(Verdict::Disagree) => ("They disagree", palette.red, palette.red_tint),
         None => ("Combined", palette.muted, palette.highlight),
     };
     text::badge(ui, words, front, back);
-    match together.combined {
+    match comparison.combined {
         Some(combined) => {
             let words = report::with_sigma(combined.value, combined.sigma, unit);
             number(
@@ -124,20 +124,20 @@ fn combined(ui: &mut Ui, together: &Comparison, suspects: &[Suspect], unit: Leng
             number(ui, crate::formats::number::NO_NUMBER, unit.symbol(), "Combined distance");
         }
     }
-    if together.agreement.verdict != Some(Verdict::Agree) {
+    if comparison.agreement.verdict != Some(Verdict::Agree) {
         ui.label(
-            RichText::new(report::agreement_sentence(&together.agreement))
+            RichText::new(Statement::agreement(&comparison.agreement).to_string())
                 .size(theme::SMALL_SIZE)
                 .color(palette.text),
         );
     }
     for suspect in suspects.iter().take(3) {
-        text::caption(ui, format!("• {}", report::suspect_sentence(suspect)));
+        text::caption(ui, format!("• {}", Statement::suspect(suspect)));
     }
 }
 
 /// The quantity that was solved for.
-fn solved(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
+fn solved_ui(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
     let palette = theme::palette(ui);
     text::badge(
         ui,
@@ -146,7 +146,11 @@ fn solved(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
         palette.green_tint,
     );
     let words = report::unknown(unknown, unit);
-    let size = if unknown.outcome.is_ok() { 26.0 } else { theme::BODY_SIZE };
+    let size = if unknown.outcome.is_ok() {
+        theme::SOLVED_SIZE
+    } else {
+        theme::BODY_SIZE
+    };
     let response = ui.label(RichText::new(words).font(theme::strong(size)).color(palette.text));
     text::announce(ui, &response);
     ui.accesskit_node_builder(response.id, |node| node.set_description(unknown.field.name()));
@@ -180,7 +184,7 @@ fn number(ui: &mut Ui, value: &str, unit: &str, name: &str) {
     ui.accesskit_node_builder(response.id, |node| node.set_description(name));
 }
 
-fn result(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
+fn result_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
     let palette = theme::palette(ui);
     let (front, back) = text::badge_colors(palette, method);
     text::badge(ui, method.name(), front, back);
@@ -206,7 +210,7 @@ fn result(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
     }
 }
 
-fn empty(ui: &mut Ui, unit: LengthUnit) {
+fn empty_ui(ui: &mut Ui, unit: LengthUnit) {
     number(ui, crate::formats::number::NO_NUMBER, unit.symbol(), "Distance");
     for method in Method::ALL {
         let [first, second, third] = method.fields().map(|field| field.symbol());

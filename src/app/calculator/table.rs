@@ -10,7 +10,7 @@ use egui::text::LayoutJob;
 use egui::{FontId, Ui};
 
 /// The table "Key input parameters and outputs".
-pub fn show(ui: &mut Ui, solution: &Solution) {
+pub fn ui(ui: &mut Ui, solution: &Solution) {
     const TITLE: &str = "Key input parameters and outputs";
     cards::card(ui, TITLE, |ui| {
         let narrow = ui.available_width() < 480.0;

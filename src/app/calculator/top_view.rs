@@ -2,6 +2,7 @@
 
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::picture;
+use crate::app::widgets::plot::round_down;
 use crate::core::problem::{Method, Solution};
 use crate::core::quantity::{Length, LengthUnit};
 use crate::formats::{number, report};
@@ -13,7 +14,7 @@ pub const TITLE: &str = "Top view, to scale";
 const CLOSE: f32 = 24.0;
 
 /// Draws the picture.
-pub fn show(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
+pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
     let palette = theme::palette(ui);
     let Some(model) = Model::new(solution) else {
         picture::empty(
@@ -194,16 +195,23 @@ fn paint(painter: &Painter, palette: &Palette, model: &Model, scene: &Scene, uni
     }
     let text = format!("object {}", report::length(Some(Length::from_m(model.depth_m)), unit));
     let beside = scene.edges.map_or(scene.object, |[_, right]| right).max(scene.object);
-    write(painter, palette, beside + vec2(10.0, 0.0), Align2::LEFT_CENTER, &text, frame);
-    if let Some(baseline) = model.baseline_m {
-        let text = baseline_text(baseline, unit);
-        let below = pos2(frame.center().x, frame.bottom() - 9.0);
-        if scene.inset.is_none() {
-            write(painter, palette, below, Align2::CENTER_CENTER, &text, frame);
-        }
-    }
+    let label = Label {
+        text: &text,
+        position: beside + vec2(10.0, 0.0),
+        anchor: Align2::LEFT_CENTER,
+        frame,
+    };
+    label.paint(painter, palette);
     if let Some(inset) = &scene.inset {
         paint_inset(painter, palette, model, inset, unit);
+    } else if let Some(baseline) = model.baseline_m {
+        let label = Label {
+            text: &baseline_text(baseline, unit),
+            position: pos2(frame.center().x, frame.bottom() - 9.0),
+            anchor: Align2::CENTER_CENTER,
+            frame,
+        };
+        label.paint(painter, palette);
     }
     paint_scale(painter, palette, scene, unit);
 }
@@ -229,16 +237,24 @@ fn paint_inset(painter: &Painter, palette: &Palette, model: &Model, inset: &Inse
         ));
         camera_body(painter, palette, camera);
     }
-    let label = |position, anchor, text: &str| write(painter, palette, position, anchor, text, inset.frame.shrink(4.0));
+    let label = |position, text: &str| {
+        let label = Label {
+            text,
+            position,
+            anchor: Align2::CENTER_CENTER,
+            frame: inset.frame.shrink(4.0),
+        };
+        label.paint(painter, palette);
+    };
     let enlarged = if inset.factor < 99_999.0 {
         format!("cameras × {}", number::significant(inset.factor, 2))
     } else {
         "cameras, enlarged".to_owned()
     };
-    label(inset.frame.center_top() + vec2(0.0, 10.0), Align2::CENTER_CENTER, &enlarged);
+    label(inset.frame.center_top() + vec2(0.0, 10.0), &enlarged);
     if let Some(baseline) = model.baseline_m {
         let text = baseline_text(baseline, unit);
-        label(inset.frame.center_bottom() - vec2(0.0, 11.0), Align2::CENTER_CENTER, &text);
+        label(inset.frame.center_bottom() - vec2(0.0, 11.0), &text);
     }
 }
 
@@ -247,7 +263,7 @@ fn paint_scale(painter: &Painter, palette: &Palette, scene: &Scene, unit: Length
     let frame = scene.frame;
     let points_per_unit = scene.points_per_metre * Length::new(1.0, unit).m();
     let longest = f64::from(frame.width() * 0.2) / points_per_unit;
-    let length = picture::round_down(longest);
+    let length = round_down(longest);
     if !length.is_normal() {
         return;
     }
@@ -259,14 +275,13 @@ fn paint_scale(painter: &Painter, palette: &Palette, scene: &Scene, unit: Length
         painter.line_segment([tip, tip - vec2(0.0, 5.0)], stroke);
     }
     let text = format!("{} {}", number::plain(length), unit.symbol());
-    write(
-        painter,
-        palette,
-        start.lerp(end, 0.5) - vec2(0.0, 12.0),
-        Align2::CENTER_CENTER,
-        &text,
+    let label = Label {
+        text: &text,
+        position: start.lerp(end, 0.5) - vec2(0.0, 12.0),
+        anchor: Align2::CENTER_CENTER,
         frame,
-    );
+    };
+    label.paint(painter, palette);
 }
 
 fn baseline_text(baseline_m: f64, unit: LengthUnit) -> String {
@@ -283,17 +298,27 @@ fn camera_body(painter: &Painter, palette: &Palette, lens: Pos2) {
     ));
 }
 
-/// Writes `text` at `position`, moved as far as needed to stay inside `frame`, on a background of its own.
-fn write(painter: &Painter, palette: &Palette, position: Pos2, anchor: Align2, text: &str, frame: Rect) {
-    let galley = painter.layout_no_wrap(text.to_owned(), theme::regular(theme::SMALL_SIZE), palette.text);
-    let mut rect = anchor.anchor_size(position, galley.size());
-    rect = rect.translate(vec2(
-        (frame.right() - rect.right()).min(0.0),
-        (frame.bottom() - rect.bottom()).min(0.0),
-    ));
-    rect = rect.translate(vec2((frame.left() - rect.left()).max(0.0), (frame.top() - rect.top()).max(0.0)));
-    painter.rect_filled(rect.expand(1.0), 2.0, palette.surface);
-    painter.galley(rect.min, galley, palette.text);
+/// A text at `position`, moved as far as needed to stay inside `frame`, on a background of its own.
+struct Label<'a> {
+    text: &'a str,
+    position: Pos2,
+    anchor: Align2,
+    frame: Rect,
+}
+
+impl Label<'_> {
+    fn paint(&self, painter: &Painter, palette: &Palette) {
+        let frame = self.frame;
+        let galley = painter.layout_no_wrap(self.text.to_owned(), theme::regular(theme::SMALL_SIZE), palette.text);
+        let mut rect = self.anchor.anchor_size(self.position, galley.size());
+        rect = rect.translate(vec2(
+            (frame.right() - rect.right()).min(0.0),
+            (frame.bottom() - rect.bottom()).min(0.0),
+        ));
+        rect = rect.translate(vec2((frame.left() - rect.left()).max(0.0), (frame.top() - rect.top()).max(0.0)));
+        painter.rect_filled(rect.expand(1.0), 2.0, palette.surface);
+        painter.galley(rect.min, galley, palette.text);
+    }
 }
 
 /// A coordinate on the screen; what is too small to see becomes zero.

@@ -1,5 +1,6 @@
 //! How sure one can be: where the variance comes from, and a simulation where first order is not good enough.
 
+use crate::app::context::AppContext;
 use crate::app::theme;
 use crate::app::widgets::{cards, picture, text};
 use crate::core::monte_carlo::{Distribution, MonteCarlo, Quantiles};
@@ -79,7 +80,9 @@ impl Simulations {
 }
 
 /// Draws the cards of what is known with σ; nothing where no σ was given.
-pub fn show(ui: &mut Ui, solution: &Solution, simulations: &Simulations, unit: LengthUnit, columns: usize, gap: f32) {
+pub fn ui(ui: &mut Ui, cx: &AppContext<'_>, simulations: &Simulations) {
+    let (columns, gap, unit) = (cx.layout.columns(), cx.layout.gap(), cx.unit());
+    let solution = &cx.session.assessment().solution;
     let known: Vec<Method> = Method::ALL
         .into_iter()
         .filter(|&method| solution.uncertainty(method).is_some())
@@ -88,7 +91,7 @@ pub fn show(ui: &mut Ui, solution: &Solution, simulations: &Simulations, unit: L
         let id = egui::Id::unique(("budgets", columns, number));
         cards::row(ui, row, gap, |ui, &method| {
             cards::card(ui, budget_title(method), |ui| {
-                budget(ui, solution, method, unit);
+                budget_ui(ui, solution, method, unit);
                 cards::fill_height(ui, id);
             });
         });
@@ -102,7 +105,7 @@ pub fn show(ui: &mut Ui, solution: &Solution, simulations: &Simulations, unit: L
         let id = egui::Id::unique(("simulations", columns, number));
         cards::row(ui, row, gap, |ui, (method, simulation)| {
             cards::card(ui, simulation_title(*method), |ui| {
-                simulation_card(ui, *method, simulation, unit);
+                simulation_ui(ui, *method, simulation, unit);
                 cards::fill_height(ui, id);
             });
         });
@@ -135,7 +138,7 @@ fn color_of(ui: &Ui, field: Field) -> Color32 {
 }
 
 /// One bar, cut into the shares of the variance, over a line for each.
-fn budget(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
+fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
     const BAR: f32 = 20.0;
     let palette = theme::palette(ui);
     let Some(known) = solution.uncertainty(method) else { return };
@@ -182,12 +185,12 @@ fn budget(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
     }
 }
 
-fn simulation_card(ui: &mut Ui, method: Method, simulation: &Simulation, unit: LengthUnit) {
+fn simulation_ui(ui: &mut Ui, method: Method, simulation: &Simulation, unit: LengthUnit) {
     let Simulation::Done(_, distribution) = simulation else {
         text::caption(ui, "Drawing 100 000 times…");
         return;
     };
-    histogram(ui, method, distribution, unit);
+    histogram_ui(ui, method, distribution, unit);
     let end = |length: Option<Length>| length.map_or_else(|| "no upper bound".to_owned(), |length| report::length(Some(length), unit));
     let interval = |quantiles: Quantiles| match (quantiles.near, quantiles.far) {
         (Some(near), Some(far)) => format!("{} … {}", report::length_number(Some(near), unit), report::length(Some(far), unit)),
@@ -212,7 +215,7 @@ fn simulation_card(ui: &mut Ui, method: Method, simulation: &Simulation, unit: L
     );
 }
 
-fn histogram(ui: &mut Ui, method: Method, distribution: &Distribution, unit: LengthUnit) {
+fn histogram_ui(ui: &mut Ui, method: Method, distribution: &Distribution, unit: LengthUnit) {
     let palette = theme::palette(ui);
     let Some(shape) = &distribution.histogram else { return };
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 120.0), Sense::hover());

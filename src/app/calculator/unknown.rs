@@ -1,13 +1,13 @@
 //! Solving for another quantity than the distance: which one, and the distance as an input.
 
 use crate::app::command::Command;
+use crate::app::context::AppContext;
 use crate::app::theme;
 use crate::app::widgets::number_field::{self, NumberField};
 use crate::app::widgets::text;
 use crate::core::problem::{Field, Method};
 use crate::core::quantity::LengthUnit;
 use crate::formats::fields;
-use crate::formats::inputs::{Assessment, Inputs};
 use egui::{ComboBox, Ui};
 
 /// What is offered first.
@@ -28,11 +28,11 @@ fn name((method, field): (Method, Field)) -> String {
 }
 
 /// Draws the choice and the distance, where something else than the distance is solved for.
-pub fn show(ui: &mut Ui, inputs: &mut Inputs, assessment: &Assessment, height: f32, commands: &mut Vec<Command>) {
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    let (inputs, assessment) = cx.session.parts();
     let Some(before) = inputs.unknown else { return };
     let mut chosen = Some(before);
     text::card_heading(ui, "Solve for");
-    ui.spacing_mut().interact_size.y = height;
     ComboBox::from_id_salt("solve for")
         .width(ui.available_width())
         .selected_text(name(before))
@@ -48,7 +48,7 @@ pub fn show(ui: &mut Ui, inputs: &mut Inputs, assessment: &Assessment, height: f
         .accessible_name("Solve for");
     if chosen != inputs.unknown {
         inputs.unknown = chosen;
-        commands.push(Command::Settle);
+        cx.commands.push(Command::Settle);
     }
     ui.add_space(theme::STEP);
     let with_uncertainty = inputs.with_uncertainty;
@@ -62,9 +62,9 @@ pub fn show(ui: &mut Ui, inputs: &mut Inputs, assessment: &Assessment, height: f
         signed: false,
         sigma: with_uncertainty.then_some(&mut distance.sigma),
     }
-    .show(ui, &mut distance.text, height);
+    .ui(ui, &mut distance.text);
     if left {
-        commands.push(Command::Settle);
+        cx.commands.push(Command::Settle);
     }
     if let Some(Err(reason)) = assessment.unknown.as_ref().map(|unknown| &unknown.outcome) {
         text::caption(ui, reason.to_string());

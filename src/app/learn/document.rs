@@ -47,9 +47,9 @@ pub struct Style {
 
 /// Draws `blocks`. Returns the target of a link that was followed to within the program (`#…`); links to elsewhere are opened
 /// by egui.
-pub fn show(ui: &mut Ui, blocks: &[Block], target_height: f32) -> Option<&'static str> {
+pub fn ui(ui: &mut Ui, blocks: &[Block], target_height: f32) -> Option<&'static str> {
     let mut followed = None;
-    show_blocks(ui, blocks, target_height, &mut followed);
+    blocks_ui(ui, blocks, target_height, &mut followed);
     followed
 }
 
@@ -57,18 +57,18 @@ fn plain(spans: &[Span]) -> String {
     spans.iter().map(|span| span.text).collect()
 }
 
-const READING_SIZE: f32 = 15.5;
 const BETWEEN_BLOCKS: f32 = 10.0;
 
-fn show_blocks(ui: &mut Ui, blocks: &[Block], target_height: f32, followed: &mut Option<&'static str>) {
+fn blocks_ui(ui: &mut Ui, blocks: &[Block], target_height: f32, followed: &mut Option<&'static str>) {
     let palette = theme::palette(ui);
     for (number, block) in blocks.iter().enumerate() {
         match block {
             Block::Heading(level, title) => {
+                let [first, second, third] = theme::READING_HEADING_SIZES;
                 let (size, before) = match level {
-                    1 => (26.0, 0.0),
-                    2 => (20.0, 20.0),
-                    _ => (16.5, 10.0),
+                    1 => (first, 0.0),
+                    2 => (second, 20.0),
+                    _ => (third, 10.0),
                 };
                 if number > 0 {
                     ui.add_space(before);
@@ -77,51 +77,65 @@ fn show_blocks(ui: &mut Ui, blocks: &[Block], target_height: f32, followed: &mut
                 ui.add_space(theme::STEP);
             }
             Block::Paragraph(spans) => {
-                paragraph(ui, spans, target_height, followed);
+                paragraph_ui(ui, spans, target_height, followed);
                 ui.add_space(BETWEEN_BLOCKS);
             }
             Block::Quote(inside) => {
-                let frame = egui::Frame::new().inner_margin(egui::Margin {
-                    left: 14,
-                    right: 10,
-                    top: 10,
-                    bottom: 2,
-                });
-                let response = frame
-                    .fill(palette.highlight)
-                    .corner_radius(theme::CONTROL_RADIUS)
-                    .show(ui, |ui| {
-                        ui.set_width(ui.available_width());
-                        show_blocks(ui, inside, target_height, followed);
-                    })
-                    .response;
-                let bar = egui::Rect::from_min_size(response.rect.min, vec2(3.0, response.rect.height()));
-                ui.painter().rect_filled(bar, 1.5, palette.orange);
+                quote_ui(ui, inside, target_height, followed);
                 ui.add_space(BETWEEN_BLOCKS);
             }
             Block::Formula(lines) => {
-                egui::Frame::new()
-                    .fill(palette.highlight)
-                    .corner_radius(theme::CONTROL_RADIUS)
-                    .inner_margin(egui::Margin::symmetric(16, 12))
-                    .show(ui, |ui| {
-                        ui.set_width(ui.available_width());
-                        for line in *lines {
-                            ui.label(RichText::new(*line).font(theme::strong(16.0)).color(palette.text));
-                        }
-                    });
+                formula_ui(ui, lines);
                 ui.add_space(BETWEEN_BLOCKS);
             }
-            Block::List { first, items } => list(ui, *first, items, target_height, followed),
+            Block::List { first, items } => list_ui(ui, *first, items, target_height, followed),
             Block::Table { header, rows } => {
-                show_table(ui, header, rows);
+                table_ui(ui, header, rows);
                 ui.add_space(BETWEEN_BLOCKS);
             }
         }
     }
 }
 
-fn list(ui: &mut Ui, first: Option<u64>, items: &[&[Block]], target_height: f32, followed: &mut Option<&'static str>) {
+fn quote_ui(ui: &mut Ui, inside: &[Block], target_height: f32, followed: &mut Option<&'static str>) {
+    let palette = theme::palette(ui);
+    let frame = egui::Frame::new().inner_margin(egui::Margin {
+        left: 14,
+        right: 10,
+        top: 10,
+        bottom: 2,
+    });
+    let response = frame
+        .fill(palette.highlight)
+        .corner_radius(theme::CONTROL_RADIUS)
+        .show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            blocks_ui(ui, inside, target_height, followed);
+        })
+        .response;
+    let bar = egui::Rect::from_min_size(response.rect.min, vec2(3.0, response.rect.height()));
+    ui.painter().rect_filled(bar, 1.5, palette.orange);
+}
+
+fn formula_ui(ui: &mut Ui, lines: &[&str]) {
+    let palette = theme::palette(ui);
+    egui::Frame::new()
+        .fill(palette.highlight)
+        .corner_radius(theme::CONTROL_RADIUS)
+        .inner_margin(egui::Margin::symmetric(16, 12))
+        .show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            for line in lines {
+                ui.label(
+                    RichText::new(*line)
+                        .font(theme::strong(theme::READING_FORMULA_SIZE))
+                        .color(palette.text),
+                );
+            }
+        });
+}
+
+fn list_ui(ui: &mut Ui, first: Option<u64>, items: &[&[Block]], target_height: f32, followed: &mut Option<&'static str>) {
     const INDENT: f32 = 24.0;
     ui.scope_builder(UiBuilder::new().accessibility_role(Role::List), |ui| {
         for (item, number) in items.iter().zip(first.unwrap_or(0)..) {
@@ -131,11 +145,11 @@ fn list(ui: &mut Ui, first: Option<u64>, items: &[&[Block]], target_height: f32,
                     let mark = if first.is_some() { format!("{number}.") } else { "•".to_owned() };
                     ui.allocate_ui_with_layout(vec2(INDENT, 0.0), egui::Layout::left_to_right(egui::Align::Min), |ui| {
                         ui.set_min_width(INDENT);
-                        ui.label(RichText::new(mark).size(READING_SIZE));
+                        ui.label(RichText::new(mark).size(theme::READING_SIZE));
                     });
                     ui.vertical(|ui| {
                         ui.set_width(ui.available_width());
-                        show_blocks(ui, item, target_height, followed);
+                        blocks_ui(ui, item, target_height, followed);
                     });
                 });
             });
@@ -143,7 +157,7 @@ fn list(ui: &mut Ui, first: Option<u64>, items: &[&[Block]], target_height: f32,
     });
 }
 
-fn paragraph(ui: &mut Ui, spans: &[Span], target_height: f32, followed: &mut Option<&'static str>) {
+fn paragraph_ui(ui: &mut Ui, spans: &[Span], target_height: f32, followed: &mut Option<&'static str>) {
     let palette = theme::palette(ui);
     if let [
         Span {
@@ -161,7 +175,7 @@ fn paragraph(ui: &mut Ui, spans: &[Span], target_height: f32, followed: &mut Opt
         return;
     }
     if spans.iter().all(|span| span.link.is_none()) {
-        ui.label(job(ui, spans, READING_SIZE));
+        ui.label(job(ui, spans, theme::READING_SIZE));
         return;
     }
     ui.horizontal_wrapped(|ui| {
@@ -169,12 +183,12 @@ fn paragraph(ui: &mut Ui, spans: &[Span], target_height: f32, followed: &mut Opt
         for span in spans {
             match &span.link {
                 Some(target) => {
-                    if ui.link(RichText::new(span.text).size(READING_SIZE)).clicked() {
+                    if ui.link(RichText::new(span.text).size(theme::READING_SIZE)).clicked() {
                         follow(ui, target, followed);
                     }
                 }
                 None => {
-                    ui.label(job(ui, std::slice::from_ref(span), READING_SIZE));
+                    ui.label(job(ui, std::slice::from_ref(span), theme::READING_SIZE));
                 }
             }
         }
@@ -206,7 +220,7 @@ fn job(ui: &Ui, spans: &[Span], size: f32) -> LayoutJob {
     job
 }
 
-fn show_table(ui: &mut Ui, header: &[&[Span]], rows: &[&[&[Span]]]) {
+fn table_ui(ui: &mut Ui, header: &[&[Span]], rows: &[&[&[Span]]]) {
     let palette = theme::palette(ui);
     let shares: Vec<f32> = (0..header.len())
         .map(|column| {

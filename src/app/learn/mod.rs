@@ -3,14 +3,16 @@
 mod document;
 
 use super::about;
-use super::command::{Command, Dialog};
-use super::theme::{self, Layout};
+use super::command::Command;
+use super::context::AppContext;
+use super::dialog::Dialog;
+use super::theme;
 use super::widgets::{scroll, text};
 use document::DOCUMENT;
 use egui::Ui;
 
 /// Draws the screen. A link to an example adds the command to follow it.
-pub fn show(ui: &mut Ui, layout: Layout, commands: &mut Vec<Command>) {
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let mut followed = None;
     scroll::column(ui, "learn", |ui| {
         ui.vertical_centered(|ui| {
@@ -18,16 +20,16 @@ pub fn show(ui: &mut Ui, layout: Layout, commands: &mut Vec<Command>) {
             ui.with_layout(egui::Layout::top_down(egui::Align::Min), |ui| {
                 theme::card(theme::palette(ui)).show(ui, |ui| {
                     ui.set_width(ui.available_width());
-                    followed = document::show(ui, DOCUMENT, layout.control_height());
-                    if text::link_button(ui, about::NAME, layout).clicked() {
-                        commands.push(Command::ShowDialog(Some(Dialog::About)));
+                    followed = document::ui(ui, DOCUMENT, cx.layout.control_height());
+                    if text::link_button(ui, about::NAME, cx.layout).clicked() {
+                        cx.commands.push(Command::ShowDialog(Some(Dialog::About)));
                     }
                 });
-                ui.add_space(layout.gap());
+                ui.add_space(cx.layout.gap());
             });
         });
     });
-    commands.extend(followed.map(|target| Command::Follow(target.to_owned())));
+    cx.commands.extend(followed.map(|target| Command::Follow(target.to_owned())));
 }
 
 #[cfg(test)]

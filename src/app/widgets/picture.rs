@@ -1,5 +1,4 @@
-//! What pictures share: a name and a description for those who do not see them, an explanation while they are empty, and
-//! axes with round numbers.
+//! What pictures share: a name and a description for those who do not see them, and an explanation while they are empty.
 
 use crate::app::theme;
 use egui::accesskit::Role;
@@ -36,68 +35,4 @@ pub fn empty(ui: &mut Ui, name: &str, explanation: &str) {
     let position = Align2::CENTER_CENTER.anchor_size(rect.center(), galley.size()).center_top();
     ui.painter().galley(position, galley, palette.muted);
     describe(ui, &response, name, explanation);
-}
-
-/// Gives the axes of a plot drawn in `ui` the small and muted type of captions.
-pub fn plot_type(ui: &mut Ui) {
-    let palette = theme::palette(ui);
-    ui.style_mut()
-        .text_styles
-        .insert(egui::TextStyle::Body, theme::regular(theme::SMALL_SIZE));
-    ui.visuals_mut().override_text_color = Some(palette.muted);
-    ui.add_space(2.0 * theme::STEP);
-}
-
-/// The smallest of 1, 2, 2.5, 5 times a power of ten that is not below `value` (positive).
-pub fn round_up(value: f64) -> f64 {
-    let power = 10f64.powf(value.log10().floor());
-    [1.0, 2.0, 2.5, 5.0, 10.0]
-        .into_iter()
-        .map(|digit| digit * power)
-        .find(|&candidate| candidate >= value * (1.0 - 1e-12))
-        .unwrap_or(value)
-}
-
-/// The largest of 1, 2, 5 times a power of ten that is not above `value` (positive).
-pub fn round_down(value: f64) -> f64 {
-    let power = 10f64.powf(value.log10().floor());
-    [5.0, 2.0, 1.0]
-        .into_iter()
-        .map(|digit| digit * power)
-        .find(|&candidate| candidate <= value * (1.0 + 1e-12))
-        .unwrap_or(value)
-}
-
-/// Round numbers from 0 to `max`, about `count` of them.
-pub fn ticks(max: f64, count: u32) -> Vec<f64> {
-    let step = round_up(max / f64::from(count.max(1)));
-    (0..=2 * count.max(1))
-        .map(|i| f64::from(i) * step)
-        .take_while(|&tick| tick <= max * (1.0 + 1e-9))
-        .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn axes_end_on_round_numbers_and_hold_what_they_show() {
-        for (value, expected) in [
-            (80.0, 100.0),
-            (2.24, 2.5),
-            (100.0, 100.0),
-            (0.011, 0.02),
-            (1e-300, 1e-300),
-            (3e300, 5e300),
-        ] {
-            let got = round_up(value);
-            assert!((got / expected - 1.0).abs() < 1e-9, "{value}: {got}");
-        }
-        for (value, expected) in [(0.7, 0.5), (0.5, 0.5), (1.9e300, 1e300)] {
-            assert!((round_down(value) / expected - 1.0).abs() < 1e-9, "{value}");
-        }
-        assert_eq!(ticks(2.5, 5), [0.0, 0.5, 1.0, 1.5, 2.0, 2.5]);
-        assert_eq!(ticks(100.0, 5).len(), 6);
-    }
 }

@@ -68,13 +68,8 @@ pub fn spoken_unit(symbol: &str) -> &str {
 /// A button that looks like a link, for what is offered beside the main thing.
 pub fn link_button(ui: &mut Ui, name: &str, layout: theme::Layout) -> Response {
     let blue = theme::palette(ui).blue;
-    let height = if layout == theme::Layout::Phone {
-        theme::CONTROL_HEIGHT_TOUCH
-    } else {
-        28.0
-    };
     let link = egui::Button::new(RichText::new(name).size(theme::SMALL_SIZE).underline().color(blue)).frame(false);
-    ui.add(link.min_size(egui::vec2(0.0, height)))
+    ui.add(link.min_size(egui::vec2(0.0, layout.inline_control_height())))
 }
 
 /// A small rounded label in the colour of a method.

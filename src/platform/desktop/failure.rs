@@ -172,9 +172,9 @@ fn say(failure: &Failure) {
     eprintln!("depth-calculator: {}", failure.sentence());
 }
 
-/// Says it in a box where nobody reads stderr, as after a double click: in the system's own, which needs no OpenGL, on Linux in
-/// that of zenity, where it is installed.
-pub fn show(title: &str, failure: &Failure) {
+/// Says it in a box with this title where nobody reads stderr, as after a double click: in the system's own, which needs no
+/// OpenGL, on Linux in that of zenity, where it is installed.
+pub fn show(failure: &Failure, title: &str) {
     if !std::io::stderr().is_terminal() && !matches!(failure, Failure::NoDisplay | Failure::SilentDisplay { .. } | Failure::LostDisplay) {
         rfd::MessageDialog::new()
             .set_level(rfd::MessageLevel::Error)

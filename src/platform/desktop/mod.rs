@@ -6,7 +6,7 @@ mod failure;
 mod placement;
 mod state;
 
-use crate::app::{App, Licenses, Platform};
+use crate::app::{App, Event, Licenses, Platform};
 use placement::PlacedApp;
 use state::State;
 use std::process::ExitCode;
@@ -52,7 +52,7 @@ pub fn main() -> ExitCode {
     match failure::heard(run, move || is_open.load(Ordering::Relaxed)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            failure::show(NAME, &failure);
+            failure::show(&failure, NAME);
             ExitCode::FAILURE
         }
     }
@@ -74,14 +74,14 @@ fn icon() -> Option<egui::IconData> {
 /// Keeps the state in its file, and copies through egui.
 struct Desktop {
     state: State,
-    copied: bool,
+    events: Vec<Event>,
 }
 
 impl Default for Desktop {
     fn default() -> Self {
         Self {
             state: State::within(state::folder()),
-            copied: false,
+            events: Vec::new(),
         }
     }
 }
@@ -101,8 +101,12 @@ impl Platform for Desktop {
 
     fn copy(&mut self, ctx: &egui::Context, text: String) {
         ctx.copy_text(text);
-        self.copied = true;
+        self.events.push(Event::Copied(Ok(())));
         ctx.request_repaint();
+    }
+
+    fn events(&mut self) -> Vec<Event> {
+        std::mem::take(&mut self.events)
     }
 
     fn commit(&self) -> Option<String> {
@@ -115,10 +119,6 @@ impl Platform for Desktop {
     fn licenses(&self) -> Licenses {
         // `cargo xtask licenses` writes it.
         Licenses::Text(include_str!("../../../assets/licenses.txt"))
-    }
-
-    fn copied(&mut self) -> Option<Result<(), String>> {
-        std::mem::take(&mut self.copied).then_some(Ok(()))
     }
 }
 

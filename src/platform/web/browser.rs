@@ -1,39 +1,48 @@
 //! The browser as the machine that the program runs on.
 
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 use std::rc::Rc;
 
 use wasm_bindgen::{JsCast as _, JsValue};
 
-use crate::app::{Licenses, Platform, SystemColors};
+use crate::app::{Event, Licenses, Platform, SystemColors};
 
 /// Where the state is stored. The number is the version of the form; one origin may serve several programs.
 pub(super) const STORAGE_KEY: &str = "depth-calculator/v1";
 
-thread_local! {
-    /// Another tab has stored something. The browser says so through an event.
-    static FOREIGN_CHANGE: Cell<bool> = const { Cell::new(false) };
-    /// What the person chose for everything on the screen may have changed, or has not been looked at.
-    static COLORS_CHANGED: Cell<bool> = const { Cell::new(true) };
+/// What has happened and the program has not taken yet. Clones share it, as the browser tells each listener on its own.
+#[derive(Clone)]
+pub(super) struct Inbox {
+    events: Rc<RefCell<Vec<Event>>>,
+    ctx: egui::Context,
 }
 
-/// Notes that another tab has stored something.
-pub(super) fn note_foreign_change() {
-    FOREIGN_CHANGE.set(true);
-}
+impl Inbox {
+    /// An empty inbox that wakes the program of `ctx`.
+    pub(super) fn new(ctx: &egui::Context) -> Self {
+        Self {
+            events: Rc::default(),
+            ctx: ctx.clone(),
+        }
+    }
 
-/// Notes that the person may have chosen other colours.
-pub(super) fn note_changed_colors() {
-    COLORS_CHANGED.set(true);
+    /// Adds `event` and wakes the program.
+    pub(super) fn add(&self, event: Event) {
+        self.events.borrow_mut().push(event);
+        self.ctx.request_repaint();
+    }
 }
 
 /// Stores in the browser's local storage and copies to the clipboard.
-#[derive(Default)]
 pub(super) struct Browser {
-    /// The outcome of the last copy. Shared, because the browser answers later.
-    copied: Rc<RefCell<Option<Result<(), String>>>>,
-    /// What was found when the colours were looked at last.
-    forced_colors: Option<SystemColors>,
+    inbox: Inbox,
+}
+
+impl Browser {
+    /// The browser, which tells what happens through `inbox`.
+    pub(super) const fn new(inbox: Inbox) -> Self {
+        Self { inbox }
+    }
 }
 
 impl Platform for Browser {
@@ -63,49 +72,31 @@ impl Platform for Browser {
         outcome
     }
 
-    fn copy(&mut self, ctx: &egui::Context, text: String) {
-        self.copied.replace(None);
+    fn copy(&mut self, _ctx: &egui::Context, text: String) {
         let clipboard = match clipboard() {
             Ok(clipboard) => clipboard,
             Err(reason) => {
-                self.copied.replace(Some(Err(reason)));
+                self.inbox.add(Event::Copied(Err(reason)));
                 return;
             }
         };
         // Called here and not in the task: browsers allow it only soon after a click or a key, and some only while they handle it.
         let promise = clipboard.write_text(&text);
-        let copied = Rc::clone(&self.copied);
-        let ctx = ctx.clone();
+        let inbox = self.inbox.clone();
         wasm_bindgen_futures::spawn_local(async move {
             let outcome = wasm_bindgen_futures::JsFuture::from(promise).await;
-            copied.replace(Some(match outcome {
+            inbox.add(Event::Copied(match outcome {
                 Ok(_undefined) => Ok(()),
                 Err(error) => Err(format!(
                     "This browser refused to copy: {} Allow this page to use the clipboard and try again.",
                     sentence(&error)
                 )),
             }));
-            ctx.request_repaint();
         });
     }
 
-    fn copied(&mut self) -> Option<Result<(), String>> {
-        self.copied.take()
-    }
-
-    fn stored_elsewhere(&mut self) -> bool {
-        FOREIGN_CHANGE.take()
-    }
-
-    fn forced_colors(&mut self) -> Option<SystemColors> {
-        if COLORS_CHANGED.take() {
-            self.forced_colors = if matches("(forced-colors: active)") {
-                system_colors()
-            } else {
-                None
-            };
-        }
-        self.forced_colors
+    fn events(&mut self) -> Vec<Event> {
+        self.inbox.events.take()
     }
 
     fn commit(&self) -> Option<String> {
@@ -116,17 +107,6 @@ impl Platform for Browser {
 
     fn licenses(&self) -> Licenses {
         Licenses::Page("licenses.html")
-    }
-
-    fn link(&mut self) -> Option<String> {
-        let location = web_sys::window()?.location();
-        let fragment = location.hash().ok()?;
-        if fragment.is_empty() {
-            return None;
-        }
-        // A reload must not undo what was typed since; this leaves no entry in the history.
-        location.replace("#").ok()?;
-        Some(fragment)
     }
 }
 
@@ -168,39 +148,39 @@ fn clipboard() -> Result<web_sys::Clipboard, String> {
     Ok(clipboard)
 }
 
-/// The colours as the browser has them, read from an element that wears them for a moment.
-fn system_colors() -> Option<SystemColors> {
+/// The part behind the `#` of the page's address, once.
+pub(super) fn link() -> Option<String> {
+    let location = web_sys::window()?.location();
+    let fragment = location.hash().ok()?;
+    if fragment.is_empty() {
+        return None;
+    }
+    // A reload must not undo what was typed since; this leaves no entry in the history.
+    location.replace("#").ok()?;
+    Some(fragment)
+}
+
+/// The colors that the person has chosen for everything on the screen, read from an element that has them for a moment.
+pub(super) fn system_colors() -> Option<SystemColors> {
+    if !super::page::matches("(forced-colors: active)") {
+        return None;
+    }
     let window = web_sys::window()?;
     let document = window.document()?;
     let probe: web_sys::HtmlElement = document.create_element("span").ok()?.dyn_into().ok()?;
     document.body()?.append_child(&probe).ok()?;
     let color = |name: &str| {
-        // Else it would wear what everything wears.
+        // Else it would have the color of the text.
         probe.style().set_css_text(&format!("forced-color-adjust:none;color:{name}"));
         let style = window.get_computed_style(&probe).ok()??;
-        rgb(&style.get_property_value("color").ok()?)
+        style.get_property_value("color").ok()
     };
-    let colors = (|| {
-        Some(SystemColors {
-            canvas: color("Canvas")?,
-            canvas_text: color("CanvasText")?,
-            link_text: color("LinkText")?,
-            highlight: color("Highlight")?,
-            button_border: color("ButtonBorder")?,
-        })
-    })();
+    let colors = SystemColors::from_css(color);
     probe.remove();
     colors
 }
 
-/// A colour as computed styles have it, `rgb(255, 255, 255)`.
-fn rgb(text: &str) -> Option<egui::Color32> {
-    let inside = text.split_once('(')?.1.trim_end_matches(')');
-    let mut numbers = inside.split(',').map(|number| number.trim().parse::<u8>().ok());
-    Some(egui::Color32::from_rgb(numbers.next()??, numbers.next()??, numbers.next()??))
-}
-
-/// What an exception of the browser says, with a full stop.
+/// The message of an exception of the browser, with a full stop.
 pub(super) fn sentence(error: &JsValue) -> String {
     let mut text = match error.dyn_ref::<js_sys::Error>() {
         Some(error) => String::from(error.message()),
@@ -210,10 +190,4 @@ pub(super) fn sentence(error: &JsValue) -> String {
         text.push('.');
     }
     text
-}
-
-/// Whether a media query of CSS holds now.
-pub fn matches(query: &str) -> bool {
-    let list = web_sys::window().and_then(|window| window.match_media(query).ok().flatten());
-    list.is_some_and(|list| list.matches())
 }

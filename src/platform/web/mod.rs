@@ -3,15 +3,15 @@
 //! Before this runs, `assets/web/start.js` has checked the browser and fetched the program.
 
 mod browser;
+mod listeners;
 mod page;
 
 use std::rc::Rc;
 
 use wasm_bindgen::JsCast as _;
-use wasm_bindgen::closure::Closure;
 
 use crate::app::{App, COPY_RESULTS};
-use browser::Browser;
+use browser::{Browser, Inbox};
 
 /// Starts the program on `<canvas id="app">` and returns at once; the browser calls it from then on.
 ///
@@ -60,8 +60,9 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
                 if let Err(error) = egui_mirror::Mirror::install_with(&creation.egui_ctx, &mirrored, options) {
                     log::error!("The page works, but not with a screen reader: {}", browser::sentence(&error));
                 }
-                listen(&creation.egui_ctx);
-                Ok(Box::new(App::new(creation, Box::new(Browser::default()))))
+                let inbox = Inbox::new(&creation.egui_ctx);
+                listeners::listen(&creation.egui_ctx, &inbox);
+                Ok(Box::new(App::new(creation, Box::new(Browser::new(inbox)))))
             }),
         )
         .await
@@ -77,61 +78,6 @@ fn is_shortcut(key: &str, modifiers: egui::Modifiers) -> bool {
 fn copy_results(runner: &eframe::WebRunner, ctx: &egui::Context) -> bool {
     let app = runner.app_mut::<App>();
     app.map(|mut app| app.copy_results(ctx)).is_some()
-}
-
-/// Listens to what the browser says and eframe does not hear, as long as the page lives.
-fn listen(ctx: &egui::Context) {
-    let Some(window) = web_sys::window() else { return };
-    // A link followed within the page changes only its fragment: the program has to be woken to read it.
-    let waking = ctx.clone();
-    on(&window, "hashchange", move |_| waking.request_repaint());
-    let waking = ctx.clone();
-    on(&window, "storage", move |event| {
-        // One origin may serve several programs. No key: all has been cleared.
-        let key = event.dyn_ref::<web_sys::StorageEvent>().and_then(web_sys::StorageEvent::key);
-        if key.is_none_or(|key| key == browser::STORAGE_KEY) {
-            browser::note_foreign_change();
-            waking.request_repaint();
-        }
-    });
-    const CALM: &str = "(prefers-reduced-motion: reduce)";
-    let (calmed, usual) = (ctx.clone(), ctx.style_of(egui::Theme::Light));
-    let follow = move || {
-        let calm = browser::matches(CALM);
-        calmed.all_styles_mut(|style| {
-            style.animation_time = if calm { 0.0 } else { usual.animation_time };
-            style.scroll_animation = if calm {
-                egui::style::ScrollAnimation::none()
-            } else {
-                usual.scroll_animation
-            };
-        });
-    };
-    follow();
-    if let Ok(Some(query)) = window.match_media(CALM) {
-        on(&query, "change", move |_| follow());
-    }
-    // Another set of chosen colours is dark or light as well, and some browsers tell only of that.
-    for query in ["(forced-colors: active)", "(prefers-color-scheme: dark)"] {
-        if let Ok(Some(query)) = window.match_media(query) {
-            let waking = ctx.clone();
-            on(&query, "change", move |_| {
-                browser::note_changed_colors();
-                waking.request_repaint();
-            });
-        }
-    }
-}
-
-fn on(target: &web_sys::EventTarget, event: &str, act: impl FnMut(web_sys::Event) + 'static) {
-    let listener = Closure::<dyn FnMut(web_sys::Event)>::new(act);
-    if target
-        .add_event_listener_with_callback(event, listener.as_ref().unchecked_ref())
-        .is_err()
-    {
-        log::warn!("The page cannot listen to {event}.");
-    }
-    listener.forget();
 }
 
 fn options() -> eframe::WebOptions {

@@ -7,6 +7,12 @@ pub(super) fn element(id: &str) -> Option<web_sys::Element> {
     web_sys::window()?.document()?.get_element_by_id(id)
 }
 
+/// Whether a media query of CSS holds now.
+pub(super) fn matches(query: &str) -> bool {
+    let list = web_sys::window().and_then(|window| window.match_media(query).ok().flatten());
+    list.is_some_and(|list| list.matches())
+}
+
 /// Uncovers the canvas, and marks the moment as `first-frame` for whoever measures the start.
 pub(super) fn show_program() {
     if let Some(loading) = element("loading").and_then(|element| element.dyn_into::<web_sys::HtmlElement>().ok()) {

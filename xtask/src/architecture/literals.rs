@@ -18,7 +18,7 @@ use crate::files::collect_files;
 /// What draws or may come to draw.
 const FOLDERS: &[&str] = &["src", "crates/egui-mirror/src"];
 /// Where colors and sizes stand.
-const THEME: &[&str] = &["src/app/theme.rs", "src/app/theme/"];
+const THEME: &[&str] = &["src/app/theme/palette.rs", "src/app/theme/"];
 
 const COLORS: &[&str] = &["Color32", "Rgba", "Hsva", "HsvaGamma"];
 /// Constants of `Color32` that are no colors.

@@ -1,20 +1,20 @@
-//! What stands below a screen and is read after it.
+//! A bar below a screen, which is read after it.
 
 use egui::{Id, Rect, Ui, UiBuilder};
 
-/// The rest of a `Ui`, divided: what is at the bottom is drawn, read and reached by Tab after what is above it, as it stands.
-/// egui's own panels at the bottom come before what they leave room for.
-pub struct Foot {
+/// The rest of a `Ui`, divided into a screen and a bar below it. The bar is drawn, read and reached by Tab after the screen; egui's own
+/// panels at the bottom come before what they leave room for.
+pub struct BottomBar {
     id: Id,
-    /// How high the foot was last time.
+    /// How high the bar was in the last pass.
     height: f32,
     above: Rect,
     below: Rect,
 }
 
-impl Foot {
-    /// Divides what `ui` has left, by how high the foot was last time.
-    pub fn of(ui: &Ui, id: &str) -> Self {
+impl BottomBar {
+    /// Divides what `ui` has left, by how high the bar was in the last pass.
+    pub fn new(ui: &Ui, id: &str) -> Self {
         let id = Id::unique(id);
         let height: f32 = ui.data(|data| data.get_temp(id)).unwrap_or(0.0);
         let whole = ui.available_rect_before_wrap();
@@ -22,14 +22,15 @@ impl Foot {
         Self { id, height, above, below }
     }
 
-    /// Draws what is above.
+    /// Draws the screen.
     pub fn above(&self, ui: &mut Ui, add_contents: impl FnOnce(&mut Ui)) {
-        // Ids of their own: else everything would be another thing to egui, and to a screen reader, when a bar comes or goes.
+        // A scope with an id of its own: else every widget would get another id, and another node for a screen reader, when a bar
+        // appears or disappears.
         let place = UiBuilder::new().scope_id(self.id.with("above")).max_rect(self.above);
         ui.scope_builder(place, add_contents);
     }
 
-    /// Draws the foot, afterwards. It is as high as it needs.
+    /// Draws the bar, after the screen. It is as high as its contents.
     pub fn below(&self, ui: &mut Ui, add_contents: impl FnOnce(&mut Ui)) {
         let place = UiBuilder::new().scope_id(self.id.with("below")).max_rect(self.below);
         let drawn = ui.scope_builder(place, |ui| {
@@ -37,10 +38,9 @@ impl Foot {
             add_contents(ui);
         });
         let height = drawn.response.rect.height();
-        // A window may be lower than that.
         if height != self.height {
             ui.data_mut(|data| data.insert_temp(self.id, height));
-            ui.ctx().request_discard("what stands below has another height");
+            ui.ctx().request_discard("the bar at the bottom has another height");
         }
     }
 }

@@ -1,0 +1,83 @@
+//! Everything that a Q matrix of `stereoRectify` holds: focal length, baseline, doffs and the principal point.
+
+use crate::app::command::Command;
+use crate::app::context::AppContext;
+use crate::app::theme;
+use crate::app::widgets::text;
+use crate::core::problem::Field;
+use crate::core::q_matrix::StereoGeometry;
+use crate::core::quantity::LengthUnit;
+use crate::formats::fields;
+use crate::formats::inputs::{Entry, Inputs, Severity};
+use crate::formats::note::Issue;
+use crate::formats::number::{plain, significant};
+use crate::formats::q_matrix;
+use egui::{Button, Id, RichText, TextEdit, Ui, vec2};
+
+/// Draws a field for the matrix, and for each unit of the baseline a button that fills in the form.
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    let palette = theme::palette(ui);
+    let name = ui.label(RichText::new("Q matrix").font(theme::strong(theme::BODY_SIZE)).color(palette.text));
+    let typed = &mut cx.settings.entries.entry_mut(fields::Q_MATRIX).text;
+    let field = ui
+        .add(
+            TextEdit::multiline(typed)
+                .desired_rows(5)
+                .desired_width(ui.available_width())
+                .hint_text(RichText::new("[[1. 0. 0. −610.] [0. 1. 0. −350.] [0. 0. 0. 700.] [0. 0. 0.01 0.4]]").color(palette.muted)),
+        )
+        .labelled_by(name.id);
+    text::caption(ui, "As numpy prints it, as OpenCV's YAML or XML has it, or as sixteen numbers.");
+    ui.add_space(theme::STEP);
+    if typed.trim().is_empty() {
+        return;
+    }
+    match q_matrix::read(typed) {
+        Ok(geometry) => geometry_ui(ui, cx, &geometry, field.id),
+        Err(reason) => {
+            text::note(ui, Severity::Error, &reason.to_string(), Some(field.id));
+        }
+    }
+}
+
+/// What the matrix in `field` says, and what it does not: the unit of the baseline.
+fn geometry_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, field: Id) {
+    let baseline = significant(geometry.baseline, 6);
+    ui.label(format!(
+        "fx {} px, baseline {baseline}, doffs {} px, principal point ({}, {}) px",
+        significant(geometry.focal_length.px(), 7),
+        plain(geometry.doffs.px()),
+        significant(geometry.cx.px(), 6),
+        significant(geometry.cy.px(), 6)
+    ));
+    if geometry.swapped {
+        text::note(ui, Severity::Warning, &Issue::QMatrixSwapped.to_string(), Some(field));
+    }
+    ui.add_space(theme::STEP);
+    ui.label(format!("A Q matrix carries no unit. In which unit is the baseline {baseline}?"));
+    ui.horizontal_wrapped(|ui| {
+        let height = ui.spacing().interact_size.y;
+        for unit in LengthUnit::ALL {
+            let label = format!("{baseline} {}", unit.symbol());
+            if ui.add(Button::new(label).min_size(vec2(0.0, height))).clicked() {
+                let filled = filled_in(&cx.session.inputs, geometry, unit);
+                cx.commands.push(Command::PrincipalPoint(geometry.cx, geometry.cy));
+                cx.commands.push(Command::Open(
+                    Box::new(filled),
+                    "The Q matrix filled in focal length, baseline and doffs.",
+                ));
+            }
+        }
+    });
+}
+
+/// `inputs` with what the matrix says, its baseline in `unit`.
+fn filled_in(inputs: &Inputs, geometry: &StereoGeometry, unit: LengthUnit) -> Inputs {
+    let mut filled = inputs.clone();
+    filled.fill(Field::FocalLength, Entry::new(plain(geometry.focal_length.px()), None));
+    filled.fill(Field::Baseline, Entry::new(plain(geometry.baseline), Some(unit)));
+    let doffs = geometry.doffs.px();
+    let doffs = if doffs == 0.0 { String::new() } else { plain(doffs) };
+    filled.fill(Field::Doffs, Entry::new(doffs, None));
+    filled
+}

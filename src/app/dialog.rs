@@ -1,0 +1,44 @@
+//! Dialogs: which there are, and the frame that they have in common.
+
+use super::theme::{self, Layout};
+use super::widgets::text;
+use egui::{Button, Id, Modal, ModalResponse, Ui, vec2};
+
+/// A dialog that any screen can open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dialog {
+    /// The list of keys.
+    Keys,
+    /// What the program is, and its licenses.
+    About,
+}
+
+/// The frame of a dialog: a card over the screen, with a heading.
+#[derive(Clone, Copy, Debug)]
+pub struct DialogFrame {
+    /// What egui knows it by.
+    pub id: &'static str,
+    /// Its heading.
+    pub title: &'static str,
+    /// Its width in points, where the window is wide enough.
+    pub max_width: f32,
+}
+
+impl DialogFrame {
+    /// Draws the dialog.
+    pub fn show<R>(&self, ui: &Ui, add_contents: impl FnOnce(&mut Ui) -> R) -> ModalResponse<R> {
+        let palette = theme::palette(ui);
+        let modal = Modal::new(Id::unique(self.id)).frame(theme::card(palette));
+        modal.show(ui.ctx(), |ui| {
+            ui.set_width((ui.ctx().content_rect().width() - theme::DIALOG_MARGINS).min(self.max_width));
+            text::heading(ui, self.title, 2, theme::strong(theme::TITLE_SIZE), palette.text);
+            add_contents(ui)
+        })
+    }
+}
+
+/// The button that closes a dialog, as high as controls are in `layout`. Returns whether it was clicked.
+pub fn close_button(ui: &mut Ui, name: &str, layout: Layout) -> bool {
+    let size = vec2(theme::DIALOG_BUTTON_WIDTH, layout.control_height());
+    ui.add_sized(size, Button::new(name)).clicked()
+}

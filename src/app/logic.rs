@@ -1,0 +1,285 @@
+//! What happens between frames: commands are carried out, what the platform tells is taken up, and what changed is stored.
+
+use super::App;
+use super::command::Command;
+use super::context::AppContext;
+use super::notice::Notice;
+use super::platform::Event;
+use super::saved::{Saved, Screen};
+use super::theme::{self, Layout};
+use super::widgets::quantity_field;
+use crate::core::problem::Field;
+use crate::formats::export::{Exporter as _, Results, Text};
+use crate::formats::field::Key;
+use crate::formats::inputs::{Entry, Inputs};
+use crate::formats::{geometry, link, number};
+
+impl App {
+    /// Everything that happens between two frames.
+    pub(super) fn update(&mut self, ctx: &egui::Context) {
+        for command in std::mem::take(&mut self.pending) {
+            self.carry_out(ctx, command);
+        }
+        for event in self.platform.events() {
+            self.take(ctx, event);
+        }
+        self.calculator.logic(&mut AppContext {
+            egui: ctx,
+            layout: Layout::of_width(ctx.content_rect().width()),
+            session: &mut self.session,
+            settings: &mut self.settings,
+            platform: &*self.platform,
+            commands: &mut self.pending,
+        });
+        self.store();
+    }
+
+    fn take(&mut self, ctx: &egui::Context, event: Event) {
+        match event {
+            Event::Copied(Ok(())) => self.say("Results copied to the clipboard.", None),
+            Event::Copied(Err(reason)) => self.say(&reason, None),
+            Event::StoredElsewhere => self.say(
+                "Another tab changed what is stored. Both go on; what is changed last is what a reload brings back. To keep these numbers, change something here, or copy them.",
+                None,
+            ),
+            Event::Colors(colors) => {
+                if colors != self.system_colors {
+                    self.system_colors = colors;
+                    theme::force(ctx, colors);
+                }
+            }
+            Event::Link(fragment) => self.carry_out(ctx, Command::Follow(fragment)),
+        }
+    }
+
+    /// The one place where commands take effect.
+    pub(super) fn carry_out(&mut self, ctx: &egui::Context, command: Command) {
+        if let Command::Follow(fragment) = &command {
+            let mut inputs = self.session.inputs.clone();
+            // One that names nothing changes nothing.
+            if link::apply(fragment, &mut inputs) {
+                self.carry_out(ctx, Command::Open(Box::new(inputs), "The link filled in the fields that it names."));
+            }
+            return;
+        }
+        if !matches!(
+            command,
+            Command::DragDisparity(_) | Command::CopyResults | Command::Show(_) | Command::Theme(_)
+        ) {
+            self.session.settle();
+        }
+        if !matches!(command, Command::Settle | Command::Theme(_)) {
+            self.notice = None;
+        }
+        match command {
+            Command::Settle | Command::Dismiss | Command::Follow(_) => {}
+            Command::Calculate => self.calculator.calculate(ctx, &self.session),
+            Command::Reset => self.reset(),
+            Command::Open(inputs, said) => self.open(ctx, *inputs, said),
+            Command::Undo => self.undo(),
+            Command::Redo => self.redo(),
+            Command::CopyResults => {
+                let text = Text.export(&Results {
+                    inputs: &self.session.inputs,
+                    assessment: self.session.assessment(),
+                    unit: self.settings.result_unit,
+                });
+                self.platform.copy(ctx, text);
+            }
+            Command::Fix(key, entry) => self.fix(ctx, key, entry),
+            Command::DragDisparity(disparity) => self.session.inputs.entry_mut(Field::Disparity).text = number::plain(disparity),
+            Command::ShowDialog(dialog) => self.dialog = dialog,
+            Command::Help(helper) => self.calculator.helper = helper,
+            Command::PrincipalPoint(cx, cy) => geometry::set_principal_point(&mut self.settings.entries, cx, cy),
+            Command::ShowGeometry(shown) => self.settings.shows_geometry = shown,
+            Command::Show(screen) => self.settings.screen = screen,
+            Command::ShowResultsIn(unit) => self.settings.result_unit = unit,
+            Command::Theme(theme) => {
+                self.settings.theme = theme;
+                ctx.set_theme(theme);
+            }
+        }
+        self.session.refresh();
+        ctx.request_repaint();
+    }
+
+    fn reset(&mut self) {
+        if self.session.inputs.is_blank() {
+            self.say("There was nothing to clear.", None);
+        } else {
+            self.say("All fields are cleared.", Some(("Undo", Command::Undo)));
+        }
+        self.session.inputs = Inputs::default();
+        self.calculator.marked = false;
+    }
+
+    fn open(&mut self, ctx: &egui::Context, inputs: Inputs, said: &str) {
+        let replaced = !self.session.inputs.is_blank();
+        self.session.inputs = inputs;
+        self.settings.screen = Screen::Calculator;
+        self.calculator.reveal_results(ctx);
+        self.calculator.helper = None;
+        self.say(said, replaced.then_some(("Undo", Command::Undo)));
+    }
+
+    fn undo(&mut self) {
+        if self.session.undo() {
+            self.say("Undone.", Some(("Redo", Command::Redo)));
+        } else {
+            self.say("There is nothing to undo.", None);
+        }
+    }
+
+    fn redo(&mut self) {
+        if self.session.redo() {
+            self.say("Done again.", Some(("Undo", Command::Undo)));
+        } else {
+            self.say("There is nothing to do again.", None);
+        }
+    }
+
+    fn fix(&mut self, ctx: &egui::Context, key: Key, entry: Entry) {
+        let inputs = &mut self.session.inputs;
+        inputs.fill(key, entry);
+        inputs.tidy(key);
+        self.calculator.helper = None;
+        ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(key)));
+    }
+
+    fn say(&mut self, text: &str, action: Option<(&'static str, Command)>) {
+        self.notice = Some(Notice {
+            text: text.to_owned(),
+            action,
+        });
+    }
+
+    /// Whether storage holds everything that was entered and chosen.
+    pub(super) fn is_stored(&self) -> bool {
+        self.stored.inputs == self.session.inputs && self.stored.settings == self.settings
+    }
+
+    /// Starts without what is in storage, which cannot be used for `reason`.
+    pub(super) fn start_fresh(&mut self, reason: &str) {
+        let Err(obstacle) = self.set_aside_unreadable(reason) else { return };
+        // Often both are the same.
+        let obstacle = if obstacle == reason {
+            String::new()
+        } else {
+            format!(" {obstacle}")
+        };
+        self.say(
+            &format!("{reason}{obstacle} The program works, but forgets what you enter when it is closed: copy your results to keep them."),
+            None,
+        );
+    }
+
+    /// Moves away what could not be read, for `reason`, and says where it is.
+    fn set_aside_unreadable(&mut self, reason: &str) -> Result<(), String> {
+        if self.holds_unreadable {
+            let kept = self.platform.set_aside()?;
+            self.holds_unreadable = false;
+            if let Some(place) = kept {
+                self.say(&format!("{reason} The old text is kept {place}."), None);
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes what changed. A failure is said once.
+    fn store(&mut self) {
+        if self.is_stored() {
+            return;
+        }
+        self.stored = Saved {
+            inputs: self.session.inputs.clone(),
+            settings: self.settings.clone(),
+        };
+        let outcome = self
+            .set_aside_unreadable("There is room again for what you enter.")
+            .and_then(|()| self.stored.to_text())
+            .and_then(|text| self.platform.save(&text));
+        if let Err(reason) = outcome {
+            self.say(
+                &format!("{reason} What you enter now may be gone after a restart: copy your results to keep them."),
+                None,
+            );
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::platform::{Licenses, Platform};
+    use crate::app::theme::SystemColors;
+    use egui::{Color32, Theme};
+
+    /// A machine on which these things have happened.
+    struct Machine(Vec<Event>);
+
+    impl Platform for Machine {
+        fn load(&self) -> Result<Option<String>, String> {
+            Ok(None)
+        }
+        fn save(&mut self, _text: &str) -> Result<(), String> {
+            Ok(())
+        }
+        fn set_aside(&mut self) -> Result<Option<String>, String> {
+            Ok(None)
+        }
+        fn copy(&mut self, _ctx: &egui::Context, _text: String) {}
+        fn events(&mut self) -> Vec<Event> {
+            std::mem::take(&mut self.0)
+        }
+        fn commit(&self) -> Option<String> {
+            None
+        }
+        fn licenses(&self) -> Licenses {
+            Licenses::Page("")
+        }
+    }
+
+    /// The application after `events`.
+    fn after(events: Vec<Event>) -> (egui::Context, App) {
+        let ctx = egui::Context::default();
+        let cc = eframe::CreationContext::_new_kittest(ctx.clone());
+        let mut app = App::new(&cc, Box::new(Machine(events)));
+        app.update(&ctx);
+        (ctx, app)
+    }
+
+    fn said(app: &App) -> &str {
+        app.notice.as_ref().map_or("", |notice| &notice.text)
+    }
+
+    #[test]
+    fn what_another_tab_stores_is_said_and_what_happens_last_is_said_last() {
+        let (_, app) = after(vec![Event::StoredElsewhere]);
+        assert!(said(&app).starts_with("Another tab changed what is stored."));
+        let (_, app) = after(vec![Event::StoredElsewhere, Event::Copied(Err("No clipboard.".to_owned()))]);
+        assert_eq!(said(&app), "No clipboard.");
+    }
+
+    #[test]
+    fn a_link_that_names_nothing_changes_nothing_and_leaves_the_notice() {
+        let (_, app) = after(vec![Event::Copied(Ok(())), Event::Link("#section".to_owned())]);
+        assert_eq!(said(&app), "Results copied to the clipboard.");
+        assert!(app.session.inputs.is_blank());
+    }
+
+    #[test]
+    fn chosen_colors_take_the_place_of_both_themes_until_none_are_chosen() {
+        let colors = SystemColors {
+            canvas: Color32::BLACK,
+            canvas_text: Color32::WHITE,
+            link_text: Color32::YELLOW,
+            highlight: Color32::BLUE,
+            button_border: Color32::WHITE,
+        };
+        let background = |ctx: &egui::Context| [Theme::Light, Theme::Dark].map(|theme| ctx.style_of(theme).visuals.panel_fill);
+        let (ctx, _) = after(vec![Event::Colors(Some(colors))]);
+        assert_eq!(background(&ctx), [Color32::BLACK; 2]);
+        let (ctx, _) = after(vec![Event::Colors(Some(colors)), Event::Colors(None)]);
+        assert_eq!(background(&ctx), background(&after(Vec::new()).0));
+    }
+}

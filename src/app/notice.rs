@@ -1,0 +1,34 @@
+//! The notice bar: a sentence about what just happened, with what can be done about it.
+
+use super::command::Command;
+use super::context::AppContext;
+use super::widgets::text;
+use egui::{Button, Ui, vec2};
+
+/// What the notice bar says.
+#[derive(Debug)]
+pub struct Notice {
+    /// The sentence.
+    pub text: String,
+    /// What can be done about it: the name of a button and its command.
+    pub action: Option<(&'static str, Command)>,
+}
+
+impl Notice {
+    /// Draws the contents of the bar.
+    pub fn ui(&self, ui: &mut Ui, cx: &mut AppContext<'_>) {
+        ui.horizontal_wrapped(|ui| {
+            let said = ui.label(&self.text);
+            text::announce(ui, &said);
+            let button = |name: &str| Button::new(name).min_size(vec2(0.0, cx.layout.control_height()));
+            if let Some((name, action)) = &self.action
+                && ui.add(button(name)).clicked()
+            {
+                cx.commands.push(action.clone());
+            }
+            if ui.add(button("Close").frame(false)).clicked() {
+                cx.commands.push(Command::Dismiss);
+            }
+        });
+    }
+}

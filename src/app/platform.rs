@@ -1,0 +1,63 @@
+//! The port: what the program needs from the machine it runs on.
+
+use super::theme::SystemColors;
+
+/// The author's id, in the tree for assistive technology, of the button for which there is [`App::copy_results`](super::App::copy_results).
+pub const COPY_RESULTS: &str = "copy results";
+
+/// What the program needs from the machine it runs on.
+pub trait Platform {
+    /// The stored state, if there is any.
+    ///
+    /// # Errors
+    /// A sentence saying why storage cannot be used.
+    fn load(&self) -> Result<Option<String>, String>;
+
+    /// Stores `text` over what was stored.
+    ///
+    /// # Errors
+    /// A sentence saying why not.
+    fn save(&mut self, text: &str) -> Result<(), String>;
+
+    /// Moves what is stored, which cannot be read, to where nothing is overwritten, now or later: it may be of a newer version.
+    /// Returns where a person finds it, as the end of a sentence ("in the file …"), or nothing where nothing is stored.
+    ///
+    /// # Errors
+    /// A sentence saying why not. What is stored is then still in its place.
+    fn set_aside(&mut self) -> Result<Option<String>, String>;
+
+    /// Starts putting `text` on the clipboard; the outcome comes later as [`Event::Copied`].
+    fn copy(&mut self, ctx: &egui::Context, text: String);
+
+    /// What has happened outside the program since the last call, in order. Whoever adds an event asks egui for a frame.
+    fn events(&mut self) -> Vec<Event>;
+
+    /// The commit that the program was built from, where that is known.
+    fn commit(&self) -> Option<String>;
+
+    /// The licenses of the program and of everything in it.
+    fn licenses(&self) -> Licenses;
+}
+
+/// Something that has happened outside the program.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Event {
+    /// The outcome of a [`Platform::copy`], or a sentence saying why it failed.
+    Copied(Result<(), String>),
+    /// Another tab or window has stored something.
+    StoredElsewhere,
+    /// The person has chosen these colors for everything on the screen, or none any more.
+    Colors(Option<SystemColors>),
+    /// A link to the program was followed: the part behind its `#`.
+    Link(String),
+}
+
+/// Where the licenses of everything in the program are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Licenses {
+    /// Here, as lines of text.
+    #[cfg(not(target_arch = "wasm32"))]
+    Text(&'static str),
+    /// On a page with this address.
+    Page(&'static str),
+}

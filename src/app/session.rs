@@ -1,0 +1,144 @@
+//! What is typed, what follows from it, and the states before, for undo and redo.
+
+use crate::formats::inputs::{Assessment, Inputs};
+use egui::util::undoer::{Settings, Undoer};
+
+/// Steps of undo: nobody goes back further.
+const STEPS: usize = 200;
+
+/// The inputs, their assessment, which is computed once for each change, and the history of the inputs.
+#[derive(Debug)]
+pub struct Session {
+    /// What is typed. After changing it, call [`Self::refresh`].
+    pub inputs: Inputs,
+    assessed: Inputs,
+    assessment: Assessment,
+    /// The finished states. Only [`Self::settle`] adds one: when an edit is finished is known here, so egui need not guess by time.
+    history: Undoer<Inputs>,
+}
+
+impl Session {
+    /// A session that starts with `inputs`.
+    pub fn new(inputs: Inputs) -> Self {
+        let mut history = Undoer::with_settings(Settings {
+            // The last one is the state as it is.
+            max_undos: STEPS + 1,
+            ..Settings::default()
+        });
+        history.add_undo(&inputs);
+        Self {
+            assessment: inputs.assess(),
+            assessed: inputs.clone(),
+            history,
+            inputs,
+        }
+    }
+
+    /// Everything that followed from the inputs when they were last refreshed.
+    pub const fn assessment(&self) -> &Assessment {
+        &self.assessment
+    }
+
+    /// The inputs to edit, beside the assessment they had when they were last refreshed.
+    pub const fn parts(&mut self) -> (&mut Inputs, &Assessment) {
+        (&mut self.inputs, &self.assessment)
+    }
+
+    /// Brings the assessment up to date. Returns whether anything had changed.
+    pub fn refresh(&mut self) -> bool {
+        let changed = self.inputs != self.assessed;
+        if changed {
+            self.assessed = self.inputs.clone();
+            self.assessment = self.inputs.assess();
+        }
+        changed
+    }
+
+    /// Takes the inputs for a finished state: what changed since the last one is one step of undo.
+    pub fn settle(&mut self) {
+        // Forgets the states to redo where there was an edit; `add_undo` alone keeps them.
+        self.history.feed_state(0.0, &self.inputs);
+        self.history.add_undo(&self.inputs);
+    }
+
+    /// Goes back to the finished state before. Returns whether there is one.
+    pub fn undo(&mut self) -> bool {
+        let before = self.history.undo(&self.inputs).cloned();
+        self.replace(before)
+    }
+
+    /// Goes forward to the state that was left by [`Self::undo`]. Returns whether there is one.
+    pub fn redo(&mut self) -> bool {
+        let after = self.history.redo(&self.inputs).cloned();
+        self.replace(after)
+    }
+
+    fn replace(&mut self, inputs: Option<Inputs>) -> bool {
+        let Some(inputs) = inputs else { return false };
+        self.inputs = inputs;
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::core::problem::Field;
+
+    fn typed(session: &mut Session, text: &str) {
+        session.inputs.entry_mut(Field::Disparity).text = text.to_owned();
+    }
+
+    fn disparity(session: &Session) -> &str {
+        &session.inputs.entry(Field::Disparity).text
+    }
+
+    #[test]
+    fn all_that_was_typed_before_a_field_is_left_is_one_step() {
+        let mut session = Session::new(Inputs::default());
+        for text in ["5", "50"] {
+            typed(&mut session, text);
+        }
+        session.settle();
+        session.settle();
+        typed(&mut session, "25");
+        session.settle();
+        assert!(session.undo());
+        assert_eq!(disparity(&session), "50");
+        assert!(session.undo());
+        assert_eq!(disparity(&session), "");
+        assert!(!session.undo(), "there is nothing before the first state");
+        assert!(session.redo() && session.redo());
+        assert_eq!(disparity(&session), "25");
+        assert!(!session.redo(), "there is nothing after the last state");
+    }
+
+    #[test]
+    fn an_edit_after_undo_leaves_nothing_to_redo() {
+        let mut session = Session::new(Inputs::default());
+        for text in ["50", "25"] {
+            typed(&mut session, text);
+            session.settle();
+        }
+        assert!(session.undo());
+        typed(&mut session, "10");
+        session.settle();
+        assert!(!session.redo());
+        assert_eq!(disparity(&session), "10");
+        assert!(session.undo());
+        assert_eq!(disparity(&session), "50");
+    }
+
+    #[test]
+    fn two_hundred_steps_can_be_undone() {
+        let mut session = Session::new(Inputs::default());
+        for number in 1..=300 {
+            typed(&mut session, &number.to_string());
+            session.settle();
+        }
+        let steps = (0..1000).take_while(|_| session.undo()).count();
+        assert_eq!((steps, disparity(&session)), (200, "100"));
+        assert_eq!((0..1000).take_while(|_| session.redo()).count(), 200);
+        assert_eq!(disparity(&session), "300");
+    }
+}

@@ -1,0 +1,41 @@
+//! The fonts: one family for text, one for headings, names of fields and results, both with the symbols that Inter lacks.
+
+use egui::{FontData, FontDefinitions, FontFamily, FontId};
+use std::sync::Arc;
+
+const SEMIBOLD: &str = "semibold";
+
+/// The family of headings, names of fields and results.
+pub fn semibold() -> FontFamily {
+    FontFamily::Name(SEMIBOLD.into())
+}
+
+/// Text of `size` in the semibold family.
+pub fn strong(size: f32) -> FontId {
+    FontId::new(size, semibold())
+}
+
+/// Text of `size` in the regular family.
+pub fn regular(size: f32) -> FontId {
+    FontId::new(size, FontFamily::Proportional)
+}
+
+/// Gives `ctx` the fonts.
+pub(super) fn install(ctx: &egui::Context) {
+    const REGULAR: &str = "Inter";
+    const SEMI: &str = "Inter SemiBold";
+    const SYMBOLS: &str = "Symbols";
+    let mut fonts = FontDefinitions::empty();
+    for (name, bytes) in [
+        (REGULAR, &include_bytes!("../../../assets/fonts/Inter-Regular.ttf")[..]),
+        (SEMI, &include_bytes!("../../../assets/fonts/Inter-SemiBold.ttf")[..]),
+        (SYMBOLS, &include_bytes!("../../../assets/fonts/Symbols.ttf")[..]),
+    ] {
+        fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(bytes)));
+    }
+    let chain = |first: &str| vec![first.to_owned(), SYMBOLS.to_owned()];
+    fonts.families.insert(FontFamily::Proportional, chain(REGULAR));
+    fonts.families.insert(FontFamily::Monospace, chain(REGULAR));
+    fonts.families.insert(semibold(), chain(SEMI));
+    ctx.set_fonts(fonts);
+}

@@ -1,0 +1,93 @@
+//! What the width of the window leaves room for.
+
+use super::sizes;
+
+/// How much room there is, and what fits into it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layout {
+    /// Everything in one column, controls for fingers, the result in a bar at the bottom.
+    Phone,
+    /// The form beside one column of results.
+    Tablet,
+    /// The form beside two columns of results.
+    Desktop,
+    /// The form beside three columns of results.
+    Wide,
+}
+
+impl Layout {
+    /// The layout for a window `width` points wide.
+    pub fn of_width(width: f32) -> Self {
+        match width {
+            w if w < 720.0 => Self::Phone,
+            w if w < 1080.0 => Self::Tablet,
+            w if w < 1640.0 => Self::Desktop,
+            _ => Self::Wide,
+        }
+    }
+
+    /// Columns of cards in the results.
+    pub const fn columns(self) -> usize {
+        match self {
+            Self::Phone | Self::Tablet => 1,
+            Self::Desktop => 2,
+            Self::Wide => 3,
+        }
+    }
+
+    /// Between cards.
+    pub const fn gap(self) -> f32 {
+        match self {
+            Self::Phone => sizes::GAP_PHONE,
+            _ => sizes::GAP,
+        }
+    }
+
+    /// Height of a control.
+    pub const fn control_height(self) -> f32 {
+        match self {
+            // A window that narrow is a phone or a tablet as often as not.
+            Self::Phone | Self::Tablet => sizes::CONTROL_HEIGHT_TOUCH,
+            Self::Desktop | Self::Wide => sizes::CONTROL_HEIGHT,
+        }
+    }
+    /// Width of the form beside the results.
+    pub const fn form_width(self) -> f32 {
+        match self {
+            Self::Tablet => sizes::FORM_WIDTH_TABLET,
+            _ => sizes::FORM_WIDTH,
+        }
+    }
+
+    /// Left and right of a screen.
+    pub const fn screen_margin(self) -> i8 {
+        match self {
+            Self::Phone => 8,
+            _ => 20,
+        }
+    }
+
+    /// Left and right in the bars above and below the screen.
+    pub const fn bar_margin(self) -> i8 {
+        match self {
+            Self::Phone => 12,
+            _ => 20,
+        }
+    }
+
+    /// Height of a control that stands in a line of text.
+    pub const fn inline_control_height(self) -> f32 {
+        match self {
+            Self::Phone => sizes::CONTROL_HEIGHT_TOUCH,
+            _ => 28.0,
+        }
+    }
+
+    /// Height of a control beside the heading of the results.
+    pub const fn heading_control_height(self) -> f32 {
+        match self {
+            Self::Phone => sizes::CONTROL_HEIGHT_TOUCH,
+            _ => 30.0,
+        }
+    }
+}

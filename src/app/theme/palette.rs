@@ -1,0 +1,166 @@
+//! The colors of the program: a palette for each theme, and the one that `ui` is drawn in.
+
+use egui::{Color32, Id, Ui};
+
+/// The colors of one theme.
+///
+/// Text has a contrast of at least 4.5:1 and the border of a control of at least 3:1 against what is behind it; a test
+/// below computes them.
+#[derive(Debug)]
+pub struct Palette {
+    /// Behind everything.
+    pub page: Color32,
+    /// Cards and bars.
+    pub surface: Color32,
+    /// The inside of a text field.
+    pub field: Color32,
+    /// A control under the pointer, or the chosen tab.
+    pub highlight: Color32,
+    /// Lines that only separate.
+    pub line: Color32,
+    /// The border of a control.
+    pub border: Color32,
+    /// Text.
+    pub text: Color32,
+    /// Hints and captions.
+    pub muted: Color32,
+    /// Stereo, links, the main button.
+    pub blue: Color32,
+    /// Text on the main button.
+    pub on_blue: Color32,
+    /// Behind selected text and the stereo badge.
+    pub blue_tint: Color32,
+    /// Monocular.
+    pub orange: Color32,
+    /// Text in the color of monocular.
+    pub orange_text: Color32,
+    /// Behind the monocular badge.
+    pub orange_tint: Color32,
+    /// Agreement, and what was solved for.
+    pub green: Color32,
+    /// Behind that.
+    pub green_tint: Color32,
+    /// Errors.
+    pub red: Color32,
+    /// Behind the badge of disagreement.
+    pub red_tint: Color32,
+    /// Warnings.
+    pub amber: Color32,
+}
+
+/// The colors of the light theme.
+pub(super) const LIGHT: Palette = Palette {
+    page: Color32::from_rgb(0xf4, 0xf6, 0xf8),
+    surface: Color32::WHITE,
+    field: Color32::WHITE,
+    highlight: Color32::from_rgb(0xec, 0xf0, 0xf5),
+    line: Color32::from_rgb(0xdc, 0xe1, 0xe7),
+    border: Color32::from_rgb(0x84, 0x8d, 0x99),
+    text: Color32::from_rgb(0x12, 0x16, 0x1c),
+    muted: Color32::from_rgb(0x53, 0x5e, 0x6c),
+    blue: Color32::from_rgb(0x1a, 0x62, 0xd6),
+    on_blue: Color32::WHITE,
+    blue_tint: Color32::from_rgb(0xdd, 0xe9, 0xfc),
+    orange: Color32::from_rgb(0xd9, 0x73, 0x0d),
+    orange_text: Color32::from_rgb(0x96, 0x4b, 0x00),
+    orange_tint: Color32::from_rgb(0xfa, 0xe8, 0xd6),
+    green: Color32::from_rgb(0x15, 0x6b, 0x3d),
+    green_tint: Color32::from_rgb(0xd7, 0xee, 0xe1),
+    red: Color32::from_rgb(0xb4, 0x23, 0x18),
+    red_tint: Color32::from_rgb(0xfb, 0xe3, 0xe0),
+    amber: Color32::from_rgb(0x8a, 0x53, 0x00),
+};
+
+/// The colors of the dark theme.
+pub(super) const DARK: Palette = Palette {
+    page: Color32::from_rgb(0x0e, 0x12, 0x16),
+    surface: Color32::from_rgb(0x18, 0x1d, 0x23),
+    field: Color32::from_rgb(0x0f, 0x13, 0x18),
+    highlight: Color32::from_rgb(0x23, 0x2a, 0x33),
+    line: Color32::from_rgb(0x2b, 0x33, 0x3d),
+    border: Color32::from_rgb(0x6c, 0x77, 0x85),
+    text: Color32::from_rgb(0xec, 0xef, 0xf3),
+    muted: Color32::from_rgb(0x9f, 0xaa, 0xb8),
+    blue: Color32::from_rgb(0x5c, 0x9d, 0xff),
+    on_blue: Color32::from_rgb(0x07, 0x11, 0x20),
+    blue_tint: Color32::from_rgb(0x1d, 0x33, 0x55),
+    orange: Color32::from_rgb(0xf0, 0x99, 0x4a),
+    orange_text: Color32::from_rgb(0xf5, 0xa9, 0x62),
+    orange_tint: Color32::from_rgb(0x45, 0x2d, 0x17),
+    green: Color32::from_rgb(0x5a, 0xd0, 0x9a),
+    green_tint: Color32::from_rgb(0x16, 0x3a, 0x2a),
+    red: Color32::from_rgb(0xff, 0x8a, 0x80),
+    red_tint: Color32::from_rgb(0x48, 0x1f, 0x1c),
+    amber: Color32::from_rgb(0xf0, 0xb4, 0x5a),
+};
+
+/// Where egui keeps the palette that takes the place of both.
+fn forced_id() -> Id {
+    Id::unique("palette of system colors")
+}
+
+/// Takes `palette` in place of those of both themes, or these again.
+pub(super) fn force(ctx: &egui::Context, palette: Option<&'static Palette>) {
+    ctx.data_mut(|data| match palette {
+        Some(palette) => _ = data.insert_temp(forced_id(), palette),
+        None => data.remove::<&'static Palette>(forced_id()),
+    });
+}
+
+/// The colors of the theme that `ui` is drawn in.
+pub fn palette(ui: &Ui) -> &'static Palette {
+    match ui.data(|data| data.get_temp(forced_id())) {
+        Some(forced) => forced,
+        None if ui.visuals().dark_mode => &DARK,
+        None => &LIGHT,
+    }
+}
+
+/// Contrast of two colors as WCAG 2.2 defines it, from their relative luminance.
+#[cfg(test)]
+pub(super) fn contrast(a: Color32, b: Color32) -> f32 {
+    let luminance = |color: Color32| {
+        let [r, g, b, _] = egui::Rgba::from(color).to_array();
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    };
+    let (a, b) = (luminance(a), luminance(b));
+    (a.max(b) + 0.05) / (a.min(b) + 0.05)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_and_borders_have_the_contrast_that_wcag_asks_for() {
+        for (theme, p) in [("light", &LIGHT), ("dark", &DARK)] {
+            for (name, front, back, least) in [
+                ("text on page", p.text, p.page, 4.5),
+                ("text on card", p.text, p.surface, 4.5),
+                ("text on highlight", p.text, p.highlight, 4.5),
+                ("text on selection", p.text, p.blue_tint, 4.5),
+                ("muted on page", p.muted, p.page, 4.5),
+                ("muted on card", p.muted, p.surface, 4.5),
+                ("muted on highlight", p.muted, p.highlight, 4.5),
+                ("muted in field", p.muted, p.field, 4.5),
+                ("link on card", p.blue, p.surface, 4.5),
+                ("link on page", p.blue, p.page, 4.5),
+                ("main button", p.on_blue, p.blue, 4.5),
+                ("stereo badge", p.blue, p.blue_tint, 4.5),
+                ("monocular badge", p.orange_text, p.orange_tint, 4.5),
+                ("agreement badge", p.green, p.green_tint, 4.5),
+                ("disagreement badge", p.red, p.red_tint, 4.5),
+                ("error", p.red, p.surface, 4.5),
+                ("warning", p.amber, p.surface, 4.5),
+                ("border on card", p.border, p.surface, 3.0),
+                ("border on page", p.border, p.page, 3.0),
+                ("border around field", p.border, p.field, 3.0),
+                ("stereo bar", p.blue, p.surface, 3.0),
+                ("monocular bar", p.orange, p.surface, 3.0),
+            ] {
+                let got = contrast(front, back);
+                assert!(got >= least, "{theme}: {name} has {got:.2}, needs {least}");
+            }
+        }
+    }
+}

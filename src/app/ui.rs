@@ -1,0 +1,123 @@
+//! The frame: navigation at the top, a screen, bars at the bottom, and dialogs over them.
+
+use super::App;
+use super::calculator::{self, Calculator};
+use super::command::Command;
+use super::context::AppContext;
+use super::dialog::Dialog;
+use super::notice::Notice;
+use super::saved::Screen;
+use super::theme::{self, Layout};
+use super::widgets::bottom_bar::BottomBar;
+use super::{about, learn, navigation, shortcuts};
+use egui::{Align, CentralPanel, Frame, Margin, Panel, Stroke, Ui};
+
+impl App {
+    /// Draws a frame, and keeps what it asks for until [`Self::update`] carries it out.
+    pub(super) fn frame_ui(&mut self, ui: &mut Ui) {
+        let mut commands = Vec::from_iter(shortcuts::pressed(ui.ctx()));
+        let ctx = ui.ctx().clone();
+        let cx = &mut AppContext {
+            egui: &ctx,
+            layout: Layout::of_width(ctx.content_rect().width()),
+            session: &mut self.session,
+            settings: &mut self.settings,
+            platform: &*self.platform,
+            commands: &mut commands,
+        };
+        ui.spacing_mut().interact_size.y = cx.layout.control_height();
+        let top = Panel::top("navigation").resizable(false);
+        top.frame(bar(ui, cx.layout, 8)).show(ui, |ui| navigation::ui(ui, cx));
+        let bottom_bar = BottomBar::new(ui, "screen");
+        bottom_bar.above(ui, |ui| screen_ui(ui, cx, &mut self.calculator));
+        bottom_bar.below(ui, |ui| bottom_ui(ui, cx, self.notice.as_ref()));
+        match self.dialog {
+            Some(Dialog::Keys) => shortcuts::ui(ui, cx),
+            Some(Dialog::About) => about::ui(ui, cx),
+            None => {}
+        }
+        focus_ring(ui);
+        self.keep(&ctx, commands);
+    }
+
+    /// Keeps `commands` for [`Self::update`].
+    fn keep(&mut self, ctx: &egui::Context, mut commands: Vec<Command>) {
+        // At once: some browsers allow it only while they handle the click, and that of a pointer is when eframe runs this pass.
+        if commands.contains(&Command::CopyResults) {
+            commands.retain(|command| *command != Command::CopyResults);
+            self.copy_results(ctx);
+        }
+        if !commands.is_empty() {
+            self.pending.append(&mut commands);
+            ctx.request_repaint();
+        }
+        // What was typed in this pass is stored in the next.
+        if !self.is_stored() {
+            ctx.request_repaint();
+        }
+    }
+}
+
+fn screen_ui(ui: &mut Ui, cx: &mut AppContext<'_>, calculator: &mut Calculator) {
+    let background = Frame::new().fill(theme::palette(ui).page).inner_margin(Margin {
+        left: cx.layout.screen_margin(),
+        right: cx.layout.screen_margin(),
+        top: 16,
+        bottom: 0,
+    });
+    CentralPanel::no_frame().frame(background).show(ui, |ui| {
+        ui.vertical_centered(|ui| {
+            ui.set_max_width(ui.available_width().min(theme::CONTENT_WIDTH));
+            ui.with_layout(egui::Layout::top_down(Align::Min), |ui| match cx.settings.screen {
+                Screen::Calculator => calculator.ui(ui, cx),
+                Screen::Learn => learn::ui(ui, cx),
+            });
+        });
+    });
+}
+
+fn bottom_ui(ui: &mut Ui, cx: &mut AppContext<'_>, notice: Option<&Notice>) {
+    if let Some(notice) = notice {
+        separated_bar(ui, cx, 6, |ui, cx| notice.ui(ui, cx));
+    }
+    if cx.layout == Layout::Phone && cx.settings.screen == Screen::Calculator {
+        separated_bar(ui, cx, 10, |ui, cx| calculator::result_bar_ui(ui, cx));
+    }
+}
+
+/// A bar below a line.
+fn separated_bar<'a>(ui: &mut Ui, cx: &mut AppContext<'a>, vertical: i8, add_contents: impl FnOnce(&mut Ui, &mut AppContext<'a>)) {
+    let drawn = bar(ui, cx.layout, vertical).show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        add_contents(ui, cx);
+    });
+    let rect = drawn.response.rect;
+    let line = ui.visuals().widgets.noninteractive.bg_stroke;
+    ui.painter().hline(rect.x_range(), rect.top(), line);
+}
+
+/// A bar over the full width, above or below the screen.
+fn bar(ui: &Ui, layout: Layout, vertical: i8) -> Frame {
+    Frame::new()
+        .fill(theme::palette(ui).surface)
+        .inner_margin(Margin::symmetric(layout.bar_margin(), vertical))
+}
+
+/// Draws a ring around what has the keyboard: not every widget shows its focus by itself.
+fn focus_ring(ui: &Ui) {
+    const WIDTH: f32 = 2.0;
+    // A field has its own border for that.
+    if ui.ctx().text_edit_focused() {
+        return;
+    }
+    let focused = ui.memory(|memory| memory.focused()).and_then(|id| ui.ctx().read_response(id));
+    // Not while something else in the window has it, nor around what is scrolled out of sight.
+    let Some(response) = focused.filter(|response| response.has_focus() && response.interact_rect.is_positive()) else {
+        return;
+    };
+    // Only as much as can be seen of it where it is scrolled.
+    let visible = response.interact_rect.expand(3.0 * WIDTH);
+    let painter = ui.ctx().layer_painter(response.layer_id).with_clip_rect(visible);
+    let ring = Stroke::new(WIDTH, theme::palette(ui).blue);
+    painter.rect_stroke(response.rect.expand(WIDTH), theme::CONTROL_RADIUS, ring, egui::StrokeKind::Outside);
+}

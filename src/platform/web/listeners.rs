@@ -1,0 +1,86 @@
+//! Listens to what the browser says and eframe does not hear, as long as the page lives.
+
+use wasm_bindgen::JsCast as _;
+use wasm_bindgen::closure::Closure;
+
+use super::browser::{self, Inbox};
+use super::page;
+use crate::app::Event;
+
+/// Puts into `inbox` what happens, and what holds at the start: a link that was followed here, chosen colors.
+pub(super) fn listen(ctx: &egui::Context, inbox: &Inbox) {
+    let Some(window) = web_sys::window() else { return };
+    listen_to_links(&window, inbox);
+    listen_to_storage(&window, inbox);
+    listen_to_colors(&window, inbox);
+    follow_reduced_motion(&window, ctx);
+}
+
+/// A link followed within the page changes only its fragment.
+fn listen_to_links(window: &web_sys::Window, inbox: &Inbox) {
+    let add = {
+        let inbox = inbox.clone();
+        move || {
+            if let Some(fragment) = browser::link() {
+                inbox.add(Event::Link(fragment));
+            }
+        }
+    };
+    add();
+    on(window, "hashchange", move |_| add());
+}
+
+/// The browser tells only of what other tabs store.
+fn listen_to_storage(window: &web_sys::Window, inbox: &Inbox) {
+    let inbox = inbox.clone();
+    on(window, "storage", move |event| {
+        // One origin may serve several programs. No key: all has been cleared.
+        let key = event.dyn_ref::<web_sys::StorageEvent>().and_then(web_sys::StorageEvent::key);
+        if key.is_none_or(|key| key == browser::STORAGE_KEY) {
+            inbox.add(Event::StoredElsewhere);
+        }
+    });
+}
+
+fn listen_to_colors(window: &web_sys::Window, inbox: &Inbox) {
+    inbox.add(Event::Colors(browser::system_colors()));
+    // Another set of chosen colors is dark or light as well, and some browsers tell only of that.
+    for query in ["(forced-colors: active)", "(prefers-color-scheme: dark)"] {
+        if let Ok(Some(query)) = window.match_media(query) {
+            let inbox = inbox.clone();
+            on(&query, "change", move |_| inbox.add(Event::Colors(browser::system_colors())));
+        }
+    }
+}
+
+/// Nothing moves by itself while the person has asked for that.
+fn follow_reduced_motion(window: &web_sys::Window, ctx: &egui::Context) {
+    const REDUCED: &str = "(prefers-reduced-motion: reduce)";
+    let (ctx, usual) = (ctx.clone(), ctx.style_of(egui::Theme::Light));
+    let follow = move || {
+        let is_reduced = page::matches(REDUCED);
+        ctx.all_styles_mut(|style| {
+            style.animation_time = if is_reduced { 0.0 } else { usual.animation_time };
+            style.scroll_animation = if is_reduced {
+                egui::style::ScrollAnimation::none()
+            } else {
+                usual.scroll_animation
+            };
+        });
+    };
+    follow();
+    if let Ok(Some(query)) = window.match_media(REDUCED) {
+        on(&query, "change", move |_| follow());
+    }
+}
+
+fn on(target: &web_sys::EventTarget, event: &str, act: impl FnMut(web_sys::Event) + 'static) {
+    let listener = Closure::<dyn FnMut(web_sys::Event)>::new(act);
+    if target
+        .add_event_listener_with_callback(event, listener.as_ref().unchecked_ref())
+        .is_err()
+    {
+        log::warn!("The page cannot listen to {event}.");
+    }
+    listener.forget();
+}
