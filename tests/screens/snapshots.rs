@@ -2,7 +2,8 @@
 
 use crate::images;
 use crate::llvmpipe::{self, Painter};
-use crate::{B, D, DESKTOP, FX, Machine, PHONE, Program, W_IMG, W_REAL, type_sigma};
+use crate::machine::Machine;
+use crate::program::{B, D, DESKTOP, FX, PHONE, Program, W_IMG, W_REAL, type_sigma};
 use egui::accesskit::Role;
 use egui::{Vec2, vec2};
 use egui_kittest::Harness;

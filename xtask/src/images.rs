@@ -28,8 +28,6 @@ fn note() -> PathBuf {
 
 /// Whether Vulkan is told of Mesa's llvmpipe.
 fn has_renderer() -> bool {
-    let drivers = std::fs::read_dir("/usr/share/vulkan/icd.d").into_iter().flatten().flatten();
-    drivers
-        .into_iter()
-        .any(|driver| driver.file_name().to_string_lossy().starts_with("lvp_icd"))
+    let mut drivers = std::fs::read_dir("/usr/share/vulkan/icd.d").into_iter().flatten().flatten();
+    drivers.any(|driver| driver.file_name().to_string_lossy().starts_with("lvp_icd"))
 }

@@ -1,0 +1,139 @@
+//! The form: numbers and units typed into fields, what is said of them, and the buttons below.
+
+use crate::program::{B, D, FX, Program, W_IMG, W_REAL};
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+
+#[test]
+fn the_doorway_button_gives_its_distance_and_can_be_undone() {
+    let mut program = Program::new();
+    program.type_into(FX, "123");
+    program.press("Doorway (monocular)");
+    assert!(program.says("4.275 m"));
+    assert_eq!(program.value(FX), "950");
+    program.press("Undo");
+    assert_eq!(program.value(FX), "123");
+    assert_eq!(program.value(W_IMG), "");
+}
+
+#[test]
+fn a_typed_unit_switches_the_unit_beside_the_field() {
+    let mut program = Program::new();
+    program.type_into(B, "10 cm");
+    assert_eq!(program.unit(B), "cm");
+    program.type_into(W_REAL, "4in");
+    assert_eq!(
+        (program.value(B).as_str(), program.unit(B).as_str()),
+        ("10", "cm"),
+        "leaving the field tidies it"
+    );
+    assert_eq!(program.unit(W_REAL), "in");
+}
+
+#[test]
+fn changing_the_unit_by_hand_keeps_the_number() {
+    let mut program = Program::new();
+    program.mug();
+    program.choose("Unit of Camera baseline (b)", "centimetres");
+    assert_eq!(program.value(B), "100");
+    assert!(program.says("14.00 m"));
+}
+
+#[test]
+fn arrows_step_a_field_and_shift_ten_times() {
+    let mut program = Program::new();
+    program.type_into(D, "50");
+    program.harness.key_press(Key::ArrowUp);
+    program.harness.run();
+    assert_eq!(program.value(D), "51");
+    program.harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowDown);
+    program.harness.run();
+    assert_eq!(program.value(D), "41");
+}
+
+#[test]
+fn an_ambiguous_number_is_asked_about_and_one_click_answers() {
+    let mut program = Program::new();
+    program.type_into(FX, "1,000");
+    assert!(program.says("could mean 1000 or 1.000"));
+    program.press("Use 1000");
+    assert_eq!(program.value(FX), "1000");
+    assert!(!program.says("could mean"));
+}
+
+#[test]
+fn a_slip_of_the_unit_is_corrected_by_one_click() {
+    let mut program = Program::new();
+    program.type_into(FX, "700");
+    program.type_into(B, "0.1");
+    program.type_into(D, "50");
+    assert!(program.says("0.001400 m"), "an unusual value is used all the same");
+    program.press("Use 0.1 m");
+    assert!(program.says("1.400 m"));
+    assert_eq!(program.unit(B), "m");
+}
+
+#[test]
+fn bad_input_is_named_at_its_field_and_the_other_method_stays() {
+    let mut program = Program::new();
+    program.press("Doorway (monocular)");
+    for (text, said) in [
+        ("abc", "“abc” is not a number"),
+        ("0", "infinitely far away"),
+        ("−5", "swapped"),
+        ("1e999", "no distance that a computer can represent"),
+    ] {
+        program.type_into(D, text);
+        assert!(program.says(said), "{text}: {}", program.text());
+        assert!(program.says("4.275 m"));
+        assert!(!program.says("NaN") && !program.says("inf "));
+    }
+}
+
+#[test]
+fn calculate_marks_what_is_missing_and_goes_to_the_first_problem() {
+    let mut program = Program::new();
+    program.press("Calculate Distance");
+    assert_eq!(program.focused(), FX);
+    program.type_into(D, "50");
+    program.harness.key_press(Key::Enter);
+    program.harness.run();
+    assert_eq!(program.focused(), FX);
+    assert!(program.says("The focal length is missing for the stereo distance."));
+    assert!(program.says("The baseline is missing for the stereo distance."));
+    assert!(
+        !program.says("The real width is missing"),
+        "a method that was not touched is no problem"
+    );
+}
+
+#[test]
+fn reset_clears_everything_and_can_be_undone_and_redone() {
+    let mut program = Program::new();
+    program.mug();
+    program.press("Reset");
+    assert_eq!(program.value(D), "");
+    assert!(program.says("–.– m"));
+    program.press("Undo");
+    assert!(program.says("1.400 m"));
+    program.press("Redo");
+    assert_eq!(program.value(D), "");
+}
+
+#[test]
+fn an_error_makes_nothing_else_in_the_form_another_thing() {
+    let mut program = Program::new();
+    program.mug();
+    let ids = |program: &Program| -> Vec<egui::accesskit::NodeId> {
+        let headings = ["Stereo", "Monocular"].map(|name| program.harness.get_by_role_and_label(Role::Heading, name));
+        let labels = [B, D, "Reset", "Coffee mug (stereo)"].map(|name| program.harness.get_all_by_label(name).next().unwrap());
+        let all = headings.iter().chain(&labels);
+        all.map(|node| node.accesskit_node().locate().0).collect()
+    };
+    let before = ids(&program);
+    program.type_into(FX, "seven");
+    let field = program.harness.get_by_role_and_label(Role::NumberInput, FX);
+    assert!(field.accesskit_node().data().invalid().is_some());
+    assert_eq!(ids(&program), before);
+}

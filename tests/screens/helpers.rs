@@ -1,0 +1,75 @@
+//! The helpers that turn other numbers into a focal length or a disparity.
+
+use crate::program::{B, D, FX, Program};
+use egui::accesskit::Role;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+
+#[test]
+fn a_raw_value_of_opencv_becomes_a_disparity() {
+    let mut program = Program::new();
+    program.press("OpenCV ×16, doffs…");
+    program.choose("What is known", "OpenCV StereoBM or StereoSGBM");
+    program.type_into("Stored value", "-16");
+    program.type_into("minDisparity", "0");
+    assert!(program.says("found nothing"));
+    program.type_into("Stored value", "800");
+    program.press("Use d = 50.0000 px");
+    assert_eq!(program.value(D), "50");
+}
+
+#[test]
+fn a_q_matrix_fills_in_camera_and_rig_once_its_unit_is_told() {
+    let mut program = Program::new();
+    program.press("from lens, FOV or Q…");
+    program.choose("What is known", "A Q matrix");
+    program.harness.get_by_label("Q matrix").focus();
+    program.harness.run();
+    program
+        .harness
+        .get_by_label("Q matrix")
+        .type_text("[[1. 0. 0. -610.] [0. 1. 0. -350.] [0. 0. 0. 700.] [0. 0. 0.01 0.4]]");
+    program.harness.run();
+    assert!(program.says("carries no unit"));
+    program.press("100.000 mm");
+    assert_eq!(
+        (program.value(FX), program.value(B), program.unit(B)),
+        ("700".into(), "100".into(), "mm".into())
+    );
+    assert_eq!(program.value("Principal point offset (doffs)"), "40");
+    program.type_into(D, "50");
+    assert!(program.says("0.7778 m"), "{}", program.text());
+}
+
+#[test]
+fn units_are_said_and_not_only_painted() {
+    let mut program = Program::new();
+    program.press("from lens, FOV or Q…");
+    let description = |program: &Program, name: &str| {
+        let field = program.harness.get_by_role_and_label(Role::NumberInput, name);
+        field.accesskit_node().data().description().unwrap_or_default().to_owned()
+    };
+    assert_eq!(description(&program, "Focal length of the lens"), "In millimetres.");
+    assert_eq!(description(&program, "Pixel pitch"), "In micrometres.");
+    assert!(description(&program, D).contains("In pixels."));
+}
+
+#[test]
+fn a_mistake_in_a_helper_is_said_at_its_field() {
+    let mut program = Program::new();
+    program.press("from lens, FOV or Q…");
+    program.type_into("Pixel pitch", "three");
+    let field = program.harness.get_by_role_and_label(Role::NumberInput, "Pixel pitch");
+    let data = field.accesskit_node();
+    assert!(data.data().invalid().is_some());
+    assert_eq!(data.data().described_by().len(), 1);
+    let note = program.harness.get_by_label("⚠ Type one number with a decimal point or comma.");
+    assert_eq!(note.accesskit_node().live(), egui::accesskit::Live::Polite);
+}
+
+#[test]
+fn what_can_be_below_zero_is_not_given_a_keyboard_without_minus() {
+    let mut program = Program::new();
+    program.press("OpenCV ×16, doffs…");
+    let field = program.harness.get_by_label("x in the right image");
+    assert_eq!(field.accesskit_node().role(), Role::TextInput);
+}

@@ -1,0 +1,64 @@
+//! A machine for the program to run on.
+
+use depth_calculator::app::{Event, Licenses, Platform};
+use std::cell::{Cell, RefCell};
+use std::rc::Rc;
+
+/// A machine whose storage and clipboard can be looked at.
+#[derive(Clone, Default)]
+pub struct Machine {
+    pub stored: Rc<RefCell<Option<String>>>,
+    /// What has been set aside, and whether there is room for more.
+    pub set_aside: Rc<RefCell<Vec<String>>>,
+    pub is_full: Rc<Cell<bool>>,
+    pub clipboard: Rc<RefCell<Option<String>>>,
+    pub copied: Rc<RefCell<Option<Result<(), String>>>>,
+    pub link: Rc<RefCell<Option<String>>>,
+    pub broken: bool,
+    pub commit: Option<&'static str>,
+    pub licenses: Option<Licenses>,
+}
+
+impl Platform for Machine {
+    fn load(&self) -> Result<Option<String>, String> {
+        if self.broken {
+            Err("Storage is switched off.".into())
+        } else {
+            Ok(self.stored.borrow().clone())
+        }
+    }
+    fn save(&mut self, text: &str) -> Result<(), String> {
+        if self.broken {
+            return Err("Storage is switched off.".into());
+        }
+        *self.stored.borrow_mut() = Some(text.to_owned());
+        Ok(())
+    }
+    fn set_aside(&mut self) -> Result<Option<String>, String> {
+        if self.broken || self.is_full.get() {
+            return Err("Storage is full.".into());
+        }
+        self.set_aside.borrow_mut().extend(self.stored.take());
+        Ok(Some("on the shelf".to_owned()))
+    }
+    fn copy(&mut self, ctx: &egui::Context, text: String) {
+        *self.clipboard.borrow_mut() = Some(text);
+        *self.copied.borrow_mut() = Some(if self.broken {
+            Err("The clipboard was refused.".into())
+        } else {
+            Ok(())
+        });
+        ctx.request_repaint();
+    }
+    fn commit(&self) -> Option<String> {
+        self.commit.map(str::to_owned)
+    }
+    fn licenses(&self) -> Licenses {
+        self.licenses.unwrap_or(Licenses::Page("licenses.html"))
+    }
+    fn events(&mut self) -> Vec<Event> {
+        let link = self.link.borrow_mut().take().map(Event::Link);
+        let copied = self.copied.borrow_mut().take().map(Event::Copied);
+        link.into_iter().chain(copied).collect()
+    }
+}

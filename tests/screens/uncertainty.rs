@@ -1,0 +1,78 @@
+//! Standard deviations, and what follows from them.
+
+use crate::program::{B, D, FX, Program, W_IMG, W_REAL, type_sigma};
+use egui_kittest::kittest::Queryable as _;
+
+fn mug_with_uncertainty() -> Program {
+    let mut program = Program::new();
+    program.mug();
+    program.press("Add uncertainty");
+    for (field, sigma) in [(FX, "2"), (B, "0.5"), (D, "0.5")] {
+        type_sigma(&mut program, field, sigma);
+    }
+    program
+}
+
+#[test]
+fn a_newcomer_sees_no_uncertainty() {
+    let mut program = Program::new();
+    program.mug();
+    assert!(program.harness.query_by_label_contains("Uncertainty of").is_none());
+    assert!(!program.says("±") && !program.says("variance"));
+}
+
+#[test]
+fn the_mug_with_uncertainty_reads_as_in_the_specification() {
+    let mut program = mug_with_uncertainty();
+    assert!(program.says("1.400 m ± 0.016"), "{}", program.text());
+    assert!(program.says("1.384 … 1.416 m · mostly from disparity (75 %)"));
+    assert!(program.says("Shares of the variance: disparity 75 %, baseline 19 %, focal length 6 %."));
+    program.type_into(W_IMG, "150");
+    program.type_into(W_REAL, "0.30");
+    type_sigma(&mut program, W_IMG, "2");
+    type_sigma(&mut program, W_REAL, "0.01");
+    assert!(program.says("1.400 m ± 0.050") && program.says("1.350 … 1.451 m"));
+    assert!(program.says("1.400 m ± 0.015") && program.says("They agree"));
+}
+
+#[test]
+fn hiding_uncertainty_keeps_what_was_typed() {
+    let mut program = mug_with_uncertainty();
+    program.press("Hide uncertainty");
+    assert!(!program.says("± 0.016"));
+    program.press("Add uncertainty");
+    assert!(program.says("1.400 m ± 0.016"));
+}
+
+#[test]
+fn a_bad_uncertainty_is_named_and_the_distance_stays() {
+    let mut program = Program::new();
+    program.mug();
+    program.press("Add uncertainty");
+    type_sigma(&mut program, D, "-1");
+    assert!(program.says("is negative, which an uncertainty cannot be"));
+    assert!(program.says("1.400 m"));
+}
+
+#[test]
+fn typical_matching_errors_are_offered_with_their_source() {
+    let mut program = Program::new();
+    program.mug();
+    program.press("Add uncertainty");
+    program.choose("Typical matching errors", "± 0.25 px");
+    assert!(program.says("mostly from disparity (100 %)"));
+}
+
+#[test]
+fn where_first_order_fails_a_simulation_stands_beside_it() {
+    let mut program = Program::new();
+    program.mug();
+    program.type_into(D, "1");
+    program.press("Add uncertainty");
+    type_sigma(&mut program, D, "0.8");
+    program.harness.run_steps(30);
+    assert!(program.says("known to worse than 10 %"));
+    assert!(program.says("100000 draws"), "{}", program.text());
+    // About one draw in nine has no positive disparity.
+    assert!(program.says("11 %") && program.says("no upper bound"));
+}

@@ -1,0 +1,68 @@
+//! Windows of every width, light and dark, and how little the program does in them.
+
+use crate::machine::Machine;
+use crate::program::{PHONE, Program, W_IMG};
+use egui::accesskit::Role;
+use egui::vec2;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+
+#[test]
+fn on_a_phone_the_result_stays_in_sight_and_targets_fit_a_finger() {
+    let mut program = Program::on(Machine::default(), PHONE);
+    program.mug();
+    let bottom = program
+        .harness
+        .get_all_by_value("1.400 m")
+        .map(|node| node.rect())
+        .find(|rect| rect.bottom() > 780.0 && rect.bottom() <= PHONE.y);
+    assert!(bottom.is_some(), "the bar at the bottom shows the result");
+    for node in program.harness.root().children_recursive() {
+        let role = node.accesskit_node().role();
+        if matches!(role, Role::Button | Role::ComboBox | Role::NumberInput | Role::Tab | Role::Slider) {
+            let rect = node.rect();
+            let name = node.accesskit_node().label();
+            assert!(rect.height() >= 40.0 && rect.width() >= 40.0, "{role:?} {name:?} is {rect:?}");
+            assert!(rect.left() >= 0.0 && rect.right() <= PHONE.x, "{name:?} is cut off: {rect:?}");
+        }
+    }
+}
+
+#[test]
+fn nothing_is_cut_off_at_any_width() {
+    for width in [360.0, 390.0, 768.0, 1079.0, 1280.0, 1920.0, 2560.0] {
+        let mut program = Program::on(Machine::default(), vec2(width, 900.0));
+        program.mug();
+        program.type_into(W_IMG, "1,000");
+        for node in program.harness.root().children_recursive() {
+            if node.accesskit_node().raw_bounds().is_none() {
+                continue;
+            }
+            let rect = node.rect();
+            let name = node.accesskit_node().label().or_else(|| node.value());
+            assert!(rect.left() >= -0.5 && rect.right() <= width + 0.5, "at {width}: {name:?} {rect:?}");
+        }
+    }
+}
+
+#[test]
+fn the_theme_can_be_switched() {
+    let mut program = Program::new();
+    for (choice, dark) in [("Dark", true), ("Light", false)] {
+        program.press("Light or dark");
+        program.harness.get_by_label(choice).click();
+        program.harness.run();
+        assert_eq!(program.harness.ctx.global_style().visuals.dark_mode, dark, "{choice}");
+    }
+}
+
+#[test]
+fn nothing_is_computed_while_nothing_happens() {
+    let mut program = Program::new();
+    program.mug();
+    program.harness.run();
+    assert!(
+        !program.harness.ctx.has_requested_repaint(),
+        "{:?}",
+        program.harness.ctx.repaint_causes()
+    );
+}
