@@ -2,21 +2,19 @@
 
 use super::command::Command;
 use super::context::AppContext;
-use super::dialog::{DialogFrame, close_button};
+use super::dialog::{Dialog, DialogFrame, close_button};
 use super::platform::Licenses;
 use super::theme;
 use egui::Ui;
-
-/// The button that opens the dialog.
-pub const NAME: &str = "About Depth Calculator";
 
 /// The dialog, over the screen.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let frame = DialogFrame {
         id: "about",
-        title: NAME,
+        title: Command::ShowDialog(Some(Dialog::About)).text(),
         max_width: 640.0,
     };
+    let close = Command::ShowDialog(None);
     let response = frame.show(ui, |ui| {
         ui.add_space(theme::STEP);
         ui.label(version(cx.platform.commit().as_deref()));
@@ -30,10 +28,10 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
             Licenses::Text(licenses) => full_text_ui(ui, licenses),
         }
         ui.add_space(2.0 * theme::STEP);
-        close_button(ui, "Close", cx.layout)
+        close_button(ui, close.text(), cx.layout)
     });
     if response.inner || response.should_close() {
-        cx.commands.push(Command::ShowDialog(None));
+        cx.commands.push(close);
     }
 }
 

@@ -53,28 +53,18 @@ impl App {
 
     /// The one place where commands take effect.
     pub(super) fn carry_out(&mut self, ctx: &egui::Context, command: Command) {
-        if let Command::Follow(fragment) = &command {
-            let mut inputs = self.session.inputs.clone();
-            // One that names nothing changes nothing.
-            if link::apply(fragment, &mut inputs) {
-                self.carry_out(ctx, Command::Open(Box::new(inputs), "The link filled in the fields that it names."));
-            }
-            return;
-        }
-        if !matches!(
-            command,
-            Command::DragDisparity(_) | Command::CopyResults | Command::Show(_) | Command::Theme(_)
-        ) {
+        if command.is_edit() {
             self.session.settle();
         }
-        if !matches!(command, Command::Settle | Command::Theme(_)) {
+        if !command.keeps_notice() {
             self.notice = None;
         }
         match command {
-            Command::Settle | Command::Dismiss | Command::Follow(_) => {}
+            Command::Settle | Command::Dismiss => {}
             Command::Calculate => self.calculator.calculate(ctx, &self.session),
             Command::Reset => self.reset(),
             Command::Open(inputs, said) => self.open(ctx, *inputs, said),
+            Command::Follow(fragment) => self.follow(ctx, &fragment),
             Command::Undo => self.undo(),
             Command::Redo => self.redo(),
             Command::CopyResults => {
@@ -102,7 +92,7 @@ impl App {
         if self.session.inputs.is_blank() {
             self.say("There was nothing to clear.", None);
         } else {
-            self.say("All fields are cleared.", Some(("Undo", Command::Undo)));
+            self.say("All fields are cleared.", Some(Command::Undo));
         }
         self.session.inputs = Inputs::default();
         self.calculator.marked = false;
@@ -114,12 +104,20 @@ impl App {
         self.settings.screen = Screen::Calculator;
         self.calculator.reveal_results(ctx);
         self.calculator.helper = None;
-        self.say(said, replaced.then_some(("Undo", Command::Undo)));
+        self.say(said, replaced.then_some(Command::Undo));
+    }
+
+    /// Fills in what the part of a link behind `#` names. One that names nothing changes nothing.
+    fn follow(&mut self, ctx: &egui::Context, fragment: &str) {
+        let mut inputs = self.session.inputs.clone();
+        if link::apply(fragment, &mut inputs) {
+            self.open(ctx, inputs, "The link filled in the fields that it names.");
+        }
     }
 
     fn undo(&mut self) {
         if self.session.undo() {
-            self.say("Undone.", Some(("Redo", Command::Redo)));
+            self.say("Undone.", Some(Command::Redo));
         } else {
             self.say("There is nothing to undo.", None);
         }
@@ -127,7 +125,7 @@ impl App {
 
     fn redo(&mut self) {
         if self.session.redo() {
-            self.say("Done again.", Some(("Undo", Command::Undo)));
+            self.say("Done again.", Some(Command::Undo));
         } else {
             self.say("There is nothing to do again.", None);
         }
@@ -141,7 +139,7 @@ impl App {
         ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(field)));
     }
 
-    fn say(&mut self, text: &str, action: Option<(&'static str, Command)>) {
+    fn say(&mut self, text: &str, action: Option<Command>) {
         self.notice = Some(Notice {
             text: text.to_owned(),
             action,

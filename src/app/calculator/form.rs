@@ -83,7 +83,7 @@ fn buttons_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let height = cx.layout.control_height();
     let palette = theme::palette(ui);
     let calculate = Button::new(
-        RichText::new("Calculate Distance")
+        RichText::new(Command::Calculate.text())
             .font(theme::strong(theme::BODY_SIZE))
             .color(palette.on_blue),
     )
@@ -96,13 +96,13 @@ fn buttons_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0 * theme::STEP;
         let width = (ui.available_width() - 2.0 * theme::STEP) / 2.0;
-        for (name, wanted) in [("Reset", Command::Reset), ("Copy Results", Command::CopyResults)] {
-            let button = ui.add_sized(vec2(width, height), Button::new(name));
-            if wanted == Command::CopyResults {
+        for command in [Command::Reset, Command::CopyResults] {
+            let button = ui.add_sized(vec2(width, height), Button::new(command.text()));
+            if command == Command::CopyResults {
                 ui.accesskit_node_builder(button.id, |node| node.set_author_id(COPY_RESULTS));
             }
             if button.clicked() {
-                cx.commands.push(wanted);
+                cx.commands.push(command);
             }
         }
     });
@@ -123,7 +123,6 @@ fn examples_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
 /// What is not shown until it is asked for.
 fn more_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let inputs = &mut cx.session.inputs;
-    let shows_geometry = cx.settings.shows_geometry;
     ui.horizontal_wrapped(|ui| {
         text::caption(ui, "More:");
         let name = if inputs.with_uncertainty {
@@ -139,13 +138,9 @@ fn more_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
             inputs.unknown = Some(unknown::FIRST);
             cx.commands.push(Command::Settle);
         }
-        let name = if shows_geometry {
-            "Hide range, tilt and ground plane"
-        } else {
-            "Range, tilt, ground plane"
-        };
-        if text::link_button(ui, name, cx.layout).clicked() {
-            cx.commands.push(Command::ShowGeometry(!shows_geometry));
+        let geometry = Command::ShowGeometry(!cx.settings.shows_geometry);
+        if text::link_button(ui, geometry.text(), cx.layout).clicked() {
+            cx.commands.push(geometry);
         }
     });
 }

@@ -2,7 +2,6 @@
 
 mod document;
 
-use super::about;
 use super::command::Command;
 use super::context::AppContext;
 use super::dialog::Dialog;
@@ -21,8 +20,9 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
                 theme::card(theme::palette(ui)).show(ui, |ui| {
                     ui.set_width(ui.available_width());
                     followed = document::ui(ui, DOCUMENT, cx.layout.control_height());
-                    if text::link_button(ui, about::NAME, cx.layout).clicked() {
-                        cx.commands.push(Command::ShowDialog(Some(Dialog::About)));
+                    let about = Command::ShowDialog(Some(Dialog::About));
+                    if text::link_button(ui, about.text(), cx.layout).clicked() {
+                        cx.commands.push(about);
                     }
                 });
                 ui.add_space(cx.layout.gap());

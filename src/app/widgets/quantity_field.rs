@@ -1,6 +1,6 @@
 //! A field for one quantity: name, text, unit, hint, and what is wrong with it.
 
-use crate::app::command::{Command, Helper};
+use crate::app::command::{Command, Helper, Scope};
 use crate::app::theme::{self, SIGMA_WIDTH, UNIT_WIDTH};
 use crate::core::disparity::MATCHING_ERRORS;
 use crate::core::problem::Field;
@@ -31,8 +31,8 @@ pub struct Annotations<'a> {
     pub value_note: Option<&'a Note>,
     /// What is to be said about its σ.
     pub sigma_note: Option<&'a Note>,
-    /// The helper that knows where such numbers come from, and what its link says.
-    pub helper: Option<(Helper, &'static str)>,
+    /// The helper that knows where such numbers come from.
+    pub helper: Option<Helper>,
     /// Set where the field is what is solved for: it shows the solution and takes no text.
     pub computed: Option<&'a Unknown>,
 }
@@ -97,11 +97,12 @@ impl QuantityField<'_> {
                     .font(theme::strong(theme::BODY_SIZE))
                     .color(palette.text),
             );
-            if let Some((helper, link)) = self.annotations.helper {
+            if let Some(helper) = self.annotations.helper {
+                let open = Command::Help(Some(helper));
                 ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| {
-                    let link = Button::new(RichText::new(link).size(theme::SMALL_SIZE).color(palette.blue)).frame(false);
+                    let link = Button::new(RichText::new(open.text()).size(theme::SMALL_SIZE).color(palette.blue)).frame(false);
                     if ui.add(link.min_size(vec2(0.0, line_height))).clicked() {
-                        self.commands.push(Command::Help(Some(helper)));
+                        self.commands.push(open);
                     }
                 });
             }
@@ -176,7 +177,7 @@ impl QuantityField<'_> {
         if steps != 0 {
             self.inputs.step(self.field, steps);
         }
-        if ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter)) {
+        if ui.input_mut(|input| Command::Calculate.take_keys(input, &[Scope::Field])) {
             self.inputs.tidy(self.field);
             self.commands.push(Command::Calculate);
         }
@@ -208,7 +209,7 @@ impl QuantityField<'_> {
         let palette = theme::palette(ui);
         let size = vec2(SIGMA_WIDTH, ui.spacing().interact_size.y);
         let id = sigma_id(self.field);
-        if ui.memory(|memory| memory.has_focus(id)) && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter)) {
+        if ui.memory(|memory| memory.has_focus(id)) && ui.input_mut(|input| Command::Calculate.take_keys(input, &[Scope::Field])) {
             self.commands.push(Command::Calculate);
         }
         let mut text = self.inputs.sigma(self.field).to_owned();

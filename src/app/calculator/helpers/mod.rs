@@ -34,6 +34,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper) {
         title: title(helper),
         max_width: 440.0,
     };
+    let cancel = Command::Help(None);
     let response = frame.show(ui, |ui| {
         ui.spacing_mut().interact_size.y = cx.layout.control_height();
         ui.add_space(2.0 * theme::STEP);
@@ -45,10 +46,10 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper) {
             }
         });
         ui.add_space(theme::STEP);
-        close_button(ui, "Cancel", cx.layout)
+        close_button(ui, cancel.text(), cx.layout)
     });
     if response.inner || response.should_close() {
-        cx.commands.push(Command::Help(None));
+        cx.commands.push(cancel);
     }
 }
 
