@@ -99,7 +99,7 @@ impl Saved {
     /// The text to store (JSON).
     ///
     /// # Errors
-    /// What the serialiser says, in the unlikely case that it refuses.
+    /// The error of the serializer, in the unlikely case that there is one.
     pub fn to_text(&self) -> Result<String, String> {
         serde_json::to_string(&Stored {
             version: VERSION,

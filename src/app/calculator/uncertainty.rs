@@ -123,7 +123,7 @@ const fn simulation_title(method: Method) -> &'static str {
     }
 }
 
-/// The colour of a source of variance: the two lengths of the formula and the pixels of each method stay apart.
+/// The color of a source of variance: the two lengths of the formula and the pixels of each method stay apart.
 fn color_of(ui: &Ui, field: Field) -> Color32 {
     let palette = theme::palette(ui);
     match field {

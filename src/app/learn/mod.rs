@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn every_topic_of_the_page_is_there() {
+    fn every_topic_is_there() {
         for topic in [
             "Who it is for",
             "Common misconceptions",

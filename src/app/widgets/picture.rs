@@ -2,7 +2,7 @@
 
 use crate::app::theme;
 use egui::accesskit::Role;
-use egui::{Align2, Response, Sense, Ui, vec2};
+use egui::{Align2, Response, Sense, Stroke, StrokeKind, Ui, vec2};
 
 /// Names a picture and says in words what it shows.
 pub fn describe(ui: &Ui, response: &Response, name: &str, description: &str) {
@@ -17,13 +17,8 @@ pub fn describe(ui: &Ui, response: &Response, name: &str, description: &str) {
 pub fn empty(ui: &mut Ui, name: &str, explanation: &str) {
     let palette = theme::palette(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::PICTURE_HEIGHT), Sense::hover());
-    ui.painter().rect(
-        rect,
-        theme::CONTROL_RADIUS,
-        egui::Color32::TRANSPARENT,
-        egui::Stroke::new(1.0, palette.line),
-        egui::StrokeKind::Inside,
-    );
+    let line = Stroke::new(1.0, palette.line);
+    ui.painter().rect_stroke(rect, theme::CONTROL_RADIUS, line, StrokeKind::Inside);
     let mut job = egui::text::LayoutJob::simple(
         explanation.to_owned(),
         theme::regular(theme::SMALL_SIZE),

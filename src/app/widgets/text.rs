@@ -57,9 +57,9 @@ pub fn note(ui: &mut Ui, severity: Severity, sentence: &str, about: Option<Id>) 
 pub fn spoken_unit(symbol: &str) -> &str {
     match symbol {
         "px" => "pixels",
-        "mm" => "millimetres",
-        "µm" => "micrometres",
-        "m" => "metres",
+        "mm" => "millimeters",
+        "µm" => "micrometers",
+        "m" => "meters",
         "°" => "degrees",
         other => other,
     }
@@ -72,7 +72,7 @@ pub fn link_button(ui: &mut Ui, name: &str, layout: theme::Layout) -> Response {
     ui.add(link.min_size(egui::vec2(0.0, layout.inline_control_height())))
 }
 
-/// A small rounded label in the colour of a method.
+/// A small rounded label in the color of a method.
 pub fn badge(ui: &mut Ui, text: &str, front: egui::Color32, back: egui::Color32) -> Response {
     egui::Frame::new()
         .fill(back)
@@ -84,7 +84,7 @@ pub fn badge(ui: &mut Ui, text: &str, front: egui::Color32, back: egui::Color32)
         .inner
 }
 
-/// The text and background colour of a method's badge.
+/// The text and background color of a method's badge.
 pub const fn badge_colors(palette: &Palette, method: crate::core::problem::Method) -> (egui::Color32, egui::Color32) {
     match method {
         crate::core::problem::Method::Stereo => (palette.blue, palette.blue_tint),

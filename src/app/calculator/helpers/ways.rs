@@ -296,7 +296,7 @@ mod tests {
         (way.compute)(numbers)
     }
 
-    /// Golden figures: the web page's f_mm / pixel pitch; OpenCV's `calibrationMatrixValues` (2.625 mm on 4.8 mm with
+    /// Golden figures: f_mm / pixel pitch by hand; OpenCV's `calibrationMatrixValues` (2.625 mm on 4.8 mm with
     /// 1280 px is 700 px); the vendor's OAK-D Lite (73° on 640 px is 432.5 px); the mug; the D435i's 0.6 scale.
     #[test]
     fn focal_lengths_come_out_as_published() {
