@@ -35,7 +35,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     }
 }
 
-/// What to name in a report of an error.
+/// Version and commit, to name in a bug report.
 fn version(commit: Option<&str>) -> String {
     let source = commit.map_or_else(
         || "built from source, commit unknown".to_owned(),
@@ -44,7 +44,8 @@ fn version(commit: Option<&str>) -> String {
     format!("Version {}, {source}.", env!("CARGO_PKG_VERSION"))
 }
 
-/// Thousands of lines, of which only those in sight are laid out. Nothing in the text takes the focus: the keys that turn pages scroll it.
+/// The text of the licenses: thousands of lines, of which only the visible ones are laid out. Nothing in it is focusable, so Page Up,
+/// Page Down, Home and End scroll it.
 #[cfg(not(target_arch = "wasm32"))]
 fn full_text_ui(ui: &mut Ui, licenses: &'static str) {
     use super::widgets::text;
@@ -59,7 +60,7 @@ fn full_text_ui(ui: &mut Ui, licenses: &'static str) {
         theme::strong(theme::BODY_SIZE),
         theme::palette(ui).text,
     );
-    // What the rest of the dialog leaves of the smallest window is little, but something.
+    // Whatever the rest of the dialog leaves; at least a few lines in the smallest window.
     let height = (ui.ctx().content_rect().height() - 360.0).max(96.0);
     let turned: f32 = [
         (Key::PageDown, -0.9),

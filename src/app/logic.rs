@@ -1,4 +1,5 @@
-//! What happens between frames: commands are carried out, what the platform tells is taken up, and what changed is stored.
+//! The logic, run before each frame: carries out commands, handles the events of the platform, runs the simulations, and stores what
+//! changed.
 
 use super::App;
 use super::calculator::geometry;
@@ -14,13 +15,13 @@ use crate::formats::inputs::{Entry, Inputs};
 use crate::formats::{link, number, report};
 
 impl App {
-    /// Everything that happens between two frames.
+    /// Runs the logic.
     pub(super) fn update(&mut self, ctx: &egui::Context) {
         for command in std::mem::take(&mut self.pending) {
             self.carry_out(ctx, command);
         }
         for event in self.platform.events() {
-            self.take(ctx, event);
+            self.handle(ctx, event);
         }
         self.calculator.logic(&mut AppContext {
             egui: ctx,
@@ -33,7 +34,7 @@ impl App {
         self.store();
     }
 
-    fn take(&mut self, ctx: &egui::Context, event: Event) {
+    fn handle(&mut self, ctx: &egui::Context, event: Event) {
         match event {
             Event::Copied(Ok(())) => self.say("Results copied to the clipboard.", None),
             Event::Copied(Err(reason)) => self.say(&reason, None),
@@ -146,15 +147,15 @@ impl App {
         });
     }
 
-    /// Whether storage holds everything that was entered and chosen.
+    /// Whether the state is saved.
     pub(super) fn is_stored(&self) -> bool {
         self.stored.inputs == self.session.inputs && self.stored.settings == self.settings
     }
 
-    /// Starts without what is in storage, which cannot be used for `reason`.
+    /// Starts with empty inputs, as `reason` says why what is stored cannot be used.
     pub(super) fn start_fresh(&mut self, reason: &str) {
         let Err(obstacle) = self.set_aside_unreadable(reason) else { return };
-        // Often both are the same.
+        // Both are the same where storage does not work at all.
         let obstacle = if obstacle == reason {
             String::new()
         } else {
@@ -166,7 +167,7 @@ impl App {
         );
     }
 
-    /// Moves away what could not be read, for `reason`, and says where it is.
+    /// Moves what could not be read to another place in storage, and shows `reason` and that place.
     fn set_aside_unreadable(&mut self, reason: &str) -> Result<(), String> {
         if self.holds_unreadable {
             let kept = self.platform.set_aside()?;
@@ -178,7 +179,7 @@ impl App {
         Ok(())
     }
 
-    /// Writes what changed. A failure is said once.
+    /// Saves the state if it changed. A failure is shown once for each change.
     fn store(&mut self) {
         if self.is_stored() {
             return;

@@ -19,7 +19,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
             ui.add_space(8.0);
             tabs_ui(ui, cx);
         }
-        // In the order in which they are read: a layout from the right would turn it around.
+        // A right-to-left layout would reverse the order in which Tab and screen readers reach the buttons.
         let side = cx.layout.control_height();
         ui.spacing_mut().button_padding.x = theme::STEP;
         ui.add_space((ui.available_width() - 2.0 * side - ui.spacing().item_spacing.x).max(0.0));

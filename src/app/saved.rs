@@ -1,4 +1,4 @@
-//! What survives a reload and a restart.
+//! The state that survives a reload and a restart, and its text form.
 
 use crate::core::quantity::LengthUnit;
 use crate::formats::inputs::Inputs;
@@ -72,7 +72,7 @@ pub struct Saved {
 /// The version of the stored text. A text of another version is not read.
 const VERSION: u32 = 1;
 
-/// The stored text. Strict on purpose: a text that only half fits is not what was stored.
+/// The form of the stored text. Unknown and missing fields are errors: such a text was not stored by this version.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Stored {

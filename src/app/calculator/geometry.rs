@@ -23,7 +23,7 @@ const HEIGHT: &str = "Height of the camera";
 const PITCH: &str = "Pitch of the camera, downwards";
 const ROW: &str = "Row of the point on the floor";
 
-/// Notes the principal point, as a Q matrix gives it.
+/// Fills in the principal point, as a Q matrix gives it.
 pub fn set_principal_point(texts: &mut Texts, cx: Pixels, cy: Pixels) {
     texts.insert(CX.to_owned(), number::plain(cx.px()));
     texts.insert(CY.to_owned(), number::plain(cy.px()));

@@ -1,4 +1,4 @@
-//! The scene from above, to scale: cameras, lines of sight, object. A pure model, a pure layout, and painting.
+//! The scene from above, to scale: cameras, lines of sight, object. Three parts: a pure model, a pure layout, and painting.
 
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::picture;
@@ -10,7 +10,7 @@ use egui::{Align2, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, pos2, vec2};
 
 pub const TITLE: &str = "Top view, to scale";
 
-/// Cameras that would stand closer than this are enlarged in an inset, points.
+/// Cameras that would be drawn closer together than this, in points, are enlarged in an inset.
 const CLOSE: f32 = 24.0;
 
 /// Draws the picture.
@@ -31,7 +31,7 @@ pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
     super::super::widgets::text::caption(ui, model.remark());
 }
 
-/// What stands where, in meters: x to the right, z away from the cameras, the middle of the cameras at the origin.
+/// The scene in meters: x to the right, z away from the cameras, the middle of the cameras at the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Model {
     depth_m: f64,
@@ -69,7 +69,7 @@ impl Model {
                 interval_m,
             },
         };
-        // Painting is done in f32: what f32 cannot tell apart is not worth a picture.
+        // Painting is done in f32, so lengths beyond its range are not drawn.
         let drawable = |length: f64| (1e-30..1e30).contains(&length);
         [Some(model.depth_m), model.baseline_m, model.width_m]
             .into_iter()
@@ -104,10 +104,10 @@ impl Model {
     }
 }
 
-/// Where everything is on the screen.
+/// The layout: positions on the screen, in points.
 #[derive(Clone, Debug, PartialEq)]
 struct Scene {
-    /// The space of the picture, of which more or less may be scrolled out of sight.
+    /// The rectangle of the picture, part of which may be scrolled out of view.
     frame: Rect,
     points_per_meter: f64,
     cameras: Vec<Pos2>,
@@ -132,7 +132,7 @@ impl Scene {
         let height = f64::from((frame.height() - MARGIN - FAR_MARGIN).max(1.0));
         let width = f64::from((frame.width() * 0.8).max(1.0));
         let widest = model.baseline_m.unwrap_or(0.0).max(model.width_m.unwrap_or(0.0));
-        // Equal axes: the one scale that fits both.
+        // Both axes have the same scale, the largest that fits.
         let points_per_meter = (height / model.depth_m).min(if widest > 0.0 { width / widest } else { f64::INFINITY });
         let origin = pos2(frame.center().x, frame.bottom() - MARGIN);
         let place = |x_m: f64, z_m: f64| pos2(origin.x + to_f32(x_m * points_per_meter), origin.y - to_f32(z_m * points_per_meter));

@@ -73,7 +73,7 @@ mod tests {
         words_of(DOCUMENT, &mut said);
         let mut expected = String::new();
         for line in TEXT.lines().filter(|line| !line.starts_with("```")) {
-            // What Markdown means by signs: the number of an item, the target of a link.
+            // Strip the Markdown syntax: the number of an item, the target of a link.
             let item = line.trim_start();
             let text = item.trim_start_matches(|c: char| c.is_ascii_digit());
             let mut rest = if text.starts_with(". ") { text } else { item };

@@ -136,7 +136,7 @@ impl QuantityField<'_> {
             .inner;
         let response = output.response.response.labelled_by(name.id);
         ui.accesskit_node_builder(id, |node| {
-            // A number with a unit is typed as text, but assistive technology and phones should know that it is a number.
+            // A text field to egui, as a unit may be typed; a number to assistive technology and to the keyboards of phones.
             node.set_role(Role::NumberInput);
             let unit = if self.inputs.unit(self.field).is_none() {
                 " In pixels."
@@ -148,7 +148,7 @@ impl QuantityField<'_> {
                 node.set_numeric_value(value);
             }
         });
-        // As in a form of the browser: arriving by keyboard selects, so that typing replaces.
+        // As in a browser's form: Tab selects the text, so that typing replaces it.
         if response.gained_focus() && ui.input(|input| input.key_pressed(Key::Tab)) {
             let mut state = output.state;
             let characters = self.inputs.entry(self.field).text.chars().count();
@@ -216,7 +216,7 @@ impl QuantityField<'_> {
         let response = ui
             .scope(|ui| {
                 mark(ui, self.annotations.sigma_note);
-                // Not a number to phones: on most, the number keyboard has no "%".
+                // Not `Role::NumberInput`: the number keyboard of most phones has no "%".
                 TextEdit::singleline(&mut text)
                     .id(id)
                     .prefix(RichText::new("±").color(palette.muted))
@@ -273,7 +273,7 @@ fn computed_ui(ui: &mut Ui, inputs: &Inputs, unknown: &Unknown) {
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     ui.painter().rect_filled(rect, theme::CONTROL_RADIUS, palette.highlight);
     let words = report::unknown(unknown, inputs.unit(unknown.field));
-    // Not live: the result card says the same.
+    // Not a live region: the result card says the same.
     ui.put(
         rect.shrink2(vec2(10.0, 0.0)),
         egui::Label::new(RichText::new(words).font(theme::strong(theme::BODY_SIZE))),
@@ -303,7 +303,7 @@ pub fn length_unit_choice(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::Debu
         .show_ui(ui, |ui| {
             for choice in LengthUnit::ALL {
                 let name = format!("{}  ({})", choice.symbol(), choice.name());
-                // Closing is said, as egui closes by itself only for a pointer.
+                // Closed explicitly: egui does so only for a click of the pointer.
                 if ui.selectable_value(unit, choice, name).clicked() {
                     ui.close();
                 }

@@ -17,11 +17,11 @@ use browser::{Browser, Inbox};
 
 /// Starts the program on `<canvas id="app">` and returns at once; the browser calls it from then on.
 ///
-/// Whatever fails, now or later, is shown in words in place of the canvas.
+/// Any failure, now or later, is shown in place of the canvas.
 pub fn main() {
-    // Only fails when a logger is installed already, and then there is one.
+    // Fails only when a logger is installed already.
     eframe::WebLogger::init(log::LevelFilter::Warn).ok();
-    // Before `WebRunner::new`, whose own hook calls the one that it finds.
+    // Before `WebRunner::new`, whose own hook calls the previous one.
     std::panic::set_hook(Box::new(|panic| {
         page::show_failure(
             "The program has stopped because of an error in it.",
@@ -77,13 +77,13 @@ fn copy_results(runner: &eframe::WebRunner, ctx: &egui::Context) -> bool {
     app.map(|mut app| app.copy_results(ctx)).is_some()
 }
 
-/// Lets a test read what egui says (`accessibleMirror.tree()`), what page that makes (`description()`) and what the page
-/// beside the canvas says (`readBack()`): the last two must be equal.
+/// Lets a test read egui's accessibility tree (`accessibleMirror.tree()`), the elements that the mirror makes of it (`description()`) and
+/// the elements that are in the page (`readBack()`): the last two must be equal.
 fn expose_mirror() {
     let mirror = js_sys::Object::new();
     let offer = |name: &str, read: fn() -> String| {
         let reader = Closure::<dyn Fn() -> String>::new(read).into_js_value();
-        // Only a frozen page could refuse, and then there is no test to notice.
+        // Fails only on a frozen global object.
         let _ = js_sys::Reflect::set(&mirror, &name.into(), &reader);
     };
     offer("description", mirror::Mirror::description);
@@ -94,7 +94,7 @@ fn expose_mirror() {
 
 fn options() -> eframe::WebOptions {
     eframe::WebOptions {
-        // Ctrl and the wheel, or a pinch on a touch pad, enlarge the page as everywhere else in the browser.
+        // Ctrl and the wheel, or a pinch on a touch pad, zoom the page as usual.
         should_prevent_default: Box::new(|event| match event {
             egui::Event::MouseWheel { modifiers, .. } => !modifiers.ctrl,
             egui::Event::Zoom(_) => false,
@@ -104,7 +104,7 @@ fn options() -> eframe::WebOptions {
     }
 }
 
-/// Takes away the loading message when there is something to see.
+/// Hides the loading message after the first frame.
 #[derive(Default)]
 struct FirstFrame {
     drawn: bool,

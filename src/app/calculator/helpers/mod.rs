@@ -1,4 +1,4 @@
-//! The dialogs that know where numbers come from: the choice of a way, its fields, and the button that takes the result.
+//! The helper dialogs, which compute an input from other numbers: the choice of a way, its fields, and the button that uses the result.
 
 mod q_matrix;
 mod ways;
@@ -24,7 +24,7 @@ const fn title(helper: Helper) -> &'static str {
     }
 }
 
-/// The Q matrix stands beside the ways to a focal length, though it gives more than that.
+/// The Q matrix is listed with the ways to a focal length, though it gives more than that.
 const Q_MATRIX: &str = "A Q matrix of stereoRectify";
 
 /// Draws the helper over the screen.
@@ -53,7 +53,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper) {
     }
 }
 
-/// The way chosen among those of `helper`; `None` is the Q matrix.
+/// The choice among the ways of `helper`. Returns the chosen one; `None` is the Q matrix.
 fn way_choice_ui(ui: &mut Ui, helper: Helper, texts: &mut Texts) -> Option<&'static Way> {
     let key = format!("way: {helper:?}");
     let names: Vec<&'static str> = ways::of(helper)

@@ -1,5 +1,5 @@
-//! The ways to a number, as a table: a focal length from a lens, a field of view or a photograph; a disparity from what a program
-//! stored; doffs.
+//! The table of ways to compute an input: a focal length from a lens, a field of view or a photograph; a disparity from the value that
+//! a program stored; doffs.
 //!
 //! A [`Way`] is a row: what it asks for, what it computes, and which field takes the result.
 
@@ -33,7 +33,7 @@ pub struct Ask {
 pub struct Way {
     /// What it is called in the list of ways.
     pub name: &'static str,
-    /// The formula, and what to mind.
+    /// The formula, and what to watch out for.
     pub remark: &'static str,
     /// The numbers that it asks for.
     pub asks: &'static [Ask],
