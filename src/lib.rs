@@ -1,12 +1,43 @@
 //! How far away is it, and how sure can I be?
 //!
-//! The house, floor by floor; a floor uses only the floors below it:
+//! # Where things are
 //!
-//! 1. [`core`], the crate `depth-core`: the mathematics.
-//! 2. [`formats`], the crate `depth-text`: text in and out.
-//! 3. `app`: the egui application, the same on every platform and under test.
-//! 4. `cli`: the command line; it builds without floor 3.
-//! 5. `platform`: the entry points of the web page and the desktop program.
+//! Each module uses only those above it in this list:
+//!
+//! | module | what |
+//! |---|---|
+//! | [`core`] | the mathematics: quantities with their unit in the type, and pure functions, every formula with its source |
+//! | [`formats`] | what people type and read: numbers, inputs and what is wrong with them, links, the report |
+//! | `app` | the egui application, the same in a browser, in a window and under test |
+//! | `cli` | the command line, one subcommand a file; builds without `app` |
+//! | `platform` | the entry points of the web page and the desktop program, and what only one of them has |
+//!
+//! # How data flows
+//!
+//! What a person types is [`Inputs`](formats::inputs::Inputs). [`Inputs::assess`](formats::inputs::Inputs::assess) reads it once, into
+//! an [`Assessment`](formats::inputs::Assessment): a note for each field that needs one, and the
+//! [`Solution`](core::problem::Solution) of the [`Problem`](core::problem::Problem). Pictures, text and the report are made from that.
+//!
+//! # A frame of the application
+//!
+//! `app::App` is drawn by `app/ui.rs`. A screen is a folder with a function `ui(&mut self, ui: &mut Ui, cx: &mut AppContext)`: it draws
+//! what `cx` holds and adds commands to it. Before the next frame `app/logic.rs` carries the commands out, the one place where they take
+//! effect, then handles the events of the platform, and saves what changed.
+//!
+//! # To change something
+//!
+//! | what | where |
+//! |---|---|
+//! | a formula | [`core`], with its source and a golden test |
+//! | what is said about an input | [`formats::inputs`] |
+//! | a button, a menu entry, a key | `app/command.rs` for its text and its keys, `app/logic.rs` for what it does |
+//! | a dialog | `app/dialog.rs`, and a file like `app/about.rs` |
+//! | a picture | a file like `app/calculator/top_view.rs`: a pure model, a pure layout, painting; charts by `app/widgets/plot.rs` |
+//! | a screen | `Screen` in `app/saved.rs`, a folder like `app/learn/`, and its line in `app/ui.rs` |
+//! | a color, a size, a font | `app/theme/` |
+//! | what the program needs from the machine | `app/platform.rs`, then both platforms and the tests' |
+//!
+//! # Without a window
 //!
 //! ```
 //! use depth_calculator::core::measured::Measured;

@@ -2,21 +2,19 @@
 
 use super::command::Command;
 use super::context::AppContext;
-use super::dialog::{DialogFrame, close_button};
+use super::dialog::{Dialog, DialogFrame, close_button};
 use super::platform::Licenses;
 use super::theme;
 use egui::Ui;
-
-/// The button that opens the dialog.
-pub const NAME: &str = "About Depth Calculator";
 
 /// The dialog, over the screen.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let frame = DialogFrame {
         id: "about",
-        title: NAME,
+        title: Command::ShowDialog(Some(Dialog::About)).text(),
         max_width: 640.0,
     };
+    let close = Command::ShowDialog(None);
     let response = frame.show(ui, |ui| {
         ui.add_space(theme::STEP);
         ui.label(version(cx.platform.commit().as_deref()));
@@ -30,14 +28,14 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
             Licenses::Text(licenses) => full_text_ui(ui, licenses),
         }
         ui.add_space(2.0 * theme::STEP);
-        close_button(ui, "Close", cx.layout)
+        close_button(ui, close.text(), cx.layout)
     });
     if response.inner || response.should_close() {
-        cx.commands.push(Command::ShowDialog(None));
+        cx.commands.push(close);
     }
 }
 
-/// What to name in a report of an error.
+/// Version and commit, to name in a bug report.
 fn version(commit: Option<&str>) -> String {
     let source = commit.map_or_else(
         || "built from source, commit unknown".to_owned(),
@@ -46,7 +44,8 @@ fn version(commit: Option<&str>) -> String {
     format!("Version {}, {source}.", env!("CARGO_PKG_VERSION"))
 }
 
-/// Thousands of lines, of which only those in sight are laid out. Nothing in the text takes the focus: the keys that turn pages scroll it.
+/// The text of the licenses: thousands of lines, of which only the visible ones are laid out. Nothing in it is focusable, so Page Up,
+/// Page Down, Home and End scroll it.
 #[cfg(not(target_arch = "wasm32"))]
 fn full_text_ui(ui: &mut Ui, licenses: &'static str) {
     use super::widgets::text;
@@ -61,7 +60,7 @@ fn full_text_ui(ui: &mut Ui, licenses: &'static str) {
         theme::strong(theme::BODY_SIZE),
         theme::palette(ui).text,
     );
-    // What the rest of the dialog leaves of the smallest window is little, but something.
+    // Whatever the rest of the dialog leaves; at least a few lines in the smallest window.
     let height = (ui.ctx().content_rect().height() - 360.0).max(96.0);
     let turned: f32 = [
         (Key::PageDown, -0.9),

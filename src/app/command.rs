@@ -1,13 +1,13 @@
-//! What a person can want. Screens add [`Command`]s to a list, as one click can be two things (a field is left, a button is
-//! pressed); `App::logic` is the one place that carries them out, in order.
+//! What a person can ask for. Screens add [`Command`]s to a list, as one click can be two of them (a field is left, a button is
+//! pressed); `logic.rs` is the one place that carries them out, in order.
 
 use super::dialog::Dialog;
 use super::saved::Screen;
 use crate::core::problem::Field;
 use crate::core::quantity::{LengthUnit, Pixels};
-use crate::formats::field::Key;
+use crate::formats::field::Key as FieldKey;
 use crate::formats::inputs::{Entry, Inputs};
-use egui::ThemePreference;
+use egui::{Event, InputState, Key, KeyboardShortcut, ModifierNames, Modifiers, ThemePreference};
 
 /// A dialog of the calculator that knows where a number comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,11 +19,11 @@ pub enum Helper {
 }
 
 impl Helper {
-    /// The helper that is offered at `field`, and what its link says.
-    pub const fn at(field: Field) -> Option<(Self, &'static str)> {
+    /// The helper that is offered at `field`.
+    pub const fn at(field: Field) -> Option<Self> {
         match field {
-            Field::FocalLength => Some((Self::FocalLength, "from lens, FOV or Q…")),
-            Field::Disparity => Some((Self::Disparity, "OpenCV ×16, doffs…")),
+            Field::FocalLength => Some(Self::FocalLength),
+            Field::Disparity => Some(Self::Disparity),
             _ => None,
         }
     }
@@ -36,9 +36,9 @@ pub enum Command {
     Calculate,
     /// Clear all fields.
     Reset,
-    /// Take back the last change of the inputs.
+    /// Go back to the inputs before the last edit.
     Undo,
-    /// Make the change again that was taken back.
+    /// Go forward again after [`Command::Undo`].
     Redo,
     /// Put the results on the clipboard.
     CopyResults,
@@ -47,12 +47,12 @@ pub enum Command {
     /// Fill in what the part of a link behind `#` names, and nothing else.
     Follow(String),
     /// Replace what was typed into a field by what a note offered.
-    Fix(Key, Entry),
-    /// The pointer moved the point on the curve to this disparity, px; all moves until [`Command::Settle`] are one undo step.
+    Fix(FieldKey, Entry),
+    /// Move the point on the curve to this disparity, px; all moves until [`Command::Settle`] are one undo step.
     DragDisparity(f64),
     /// An edit is complete: a drag ended, a field was left.
     Settle,
-    /// Show a dialog over the screen, or take away the one that is there.
+    /// Show a dialog over the screen, or close the one that is open.
     ShowDialog(Option<Dialog>),
     /// Open a helper, or close the one that is open.
     Help(Option<Helper>),
@@ -66,6 +66,145 @@ pub enum Command {
     ShowResultsIn(LengthUnit),
     /// Light, dark, or as the system has it.
     Theme(ThemePreference),
-    /// Take the notice away.
+    /// Close the notice bar.
     Dismiss,
+}
+
+impl Command {
+    /// The text of its button or menu entry; empty where that has the name of what the command acts on, such as an example.
+    pub const fn text(&self) -> &'static str {
+        match self {
+            Self::Calculate => "Calculate Distance",
+            Self::Reset => "Reset",
+            Self::Undo => "Undo",
+            Self::Redo => "Redo",
+            Self::CopyResults => "Copy Results",
+            Self::ShowDialog(Some(Dialog::Keys)) => "Keys",
+            Self::ShowDialog(Some(Dialog::About)) => "About Depth Calculator",
+            Self::Help(Some(Helper::FocalLength)) => "from lens, FOV or Q…",
+            Self::Help(Some(Helper::Disparity)) => "OpenCV ×16, doffs…",
+            Self::Help(None) => "Cancel",
+            Self::ShowGeometry(true) => "Range, tilt, ground plane",
+            Self::ShowGeometry(false) => "Hide range, tilt and ground plane",
+            Self::Show(screen) => screen.name(),
+            Self::ShowResultsIn(unit) => unit.symbol(),
+            Self::Theme(ThemePreference::System) => "As the system",
+            Self::Theme(ThemePreference::Light) => "Light",
+            Self::Theme(ThemePreference::Dark) => "Dark",
+            Self::ShowDialog(None) | Self::Dismiss => "Close",
+            Self::Open(..) | Self::Follow(_) | Self::Fix(..) | Self::DragDisparity(_) | Self::Settle | Self::PrincipalPoint(..) => "",
+        }
+    }
+
+    /// What it does, for the list of keys.
+    pub const fn explanation(&self) -> &'static str {
+        match self {
+            Self::Calculate => "Calculate: marks what is missing and goes there",
+            Self::Undo => "Undo (⌘ Z on a Mac)",
+            Self::ShowDialog(Some(Dialog::Keys)) => "This list",
+            other => other.text(),
+        }
+    }
+
+    /// The keys that give it; the list of keys shows the first.
+    pub const fn shortcuts(&self) -> &'static [Shortcut] {
+        match self {
+            Self::Calculate => const { &[Shortcut::new(Modifiers::NONE, Key::Enter, Scope::Field)] },
+            Self::Undo => const { &[Shortcut::new(Modifiers::COMMAND, Key::Z, Scope::OutsideText)] },
+            Self::Redo => {
+                const {
+                    &[
+                        Shortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z, Scope::OutsideText),
+                        Shortcut::new(Modifiers::COMMAND, Key::Y, Scope::OutsideText),
+                    ]
+                }
+            }
+            Self::Show(Screen::Calculator) => const { &[Shortcut::new(Modifiers::ALT, Key::Num1, Scope::Everywhere)] },
+            Self::Show(Screen::Learn) => const { &[Shortcut::new(Modifiers::ALT, Key::Num2, Scope::Everywhere)] },
+            Self::ShowDialog(Some(Dialog::Keys)) => {
+                const {
+                    &[Shortcut {
+                        keys: Keys::Character("?"),
+                        scope: Scope::OutsideText,
+                    }]
+                }
+            }
+            _ => &[],
+        }
+    }
+
+    /// Whether its keys were pressed that work in one of `scopes`. Takes them out of the input.
+    pub fn take_keys(&self, input: &mut InputState, scopes: &[Scope]) -> bool {
+        let mut shortcuts = self.shortcuts().iter().filter(|shortcut| scopes.contains(&shortcut.scope));
+        shortcuts.any(|shortcut| shortcut.keys.take(input))
+    }
+
+    /// Whether it belongs to editing: the inputs as they were before it are a step of undo. Not so for looking at something, nor for
+    /// a move of a drag, which goes on.
+    pub const fn is_edit(&self) -> bool {
+        !matches!(self, Self::DragDisparity(_) | Self::CopyResults | Self::Show(_) | Self::Theme(_))
+    }
+
+    /// Whether the notice bar stays open. A link that names no field must not close it; one that does opens another.
+    pub const fn keeps_notice(&self) -> bool {
+        matches!(self, Self::Settle | Self::Theme(_) | Self::Follow(_))
+    }
+}
+
+/// Keys, and where they work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shortcut {
+    keys: Keys,
+    scope: Scope,
+}
+
+/// Where keys work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scope {
+    /// Wherever the focus is.
+    Everywhere,
+    /// Wherever no text is edited: in a text field, undo belongs to the text, and a question mark is text.
+    OutsideText,
+    /// In a field of the form, which asks for them.
+    Field,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Keys {
+    Combination(KeyboardShortcut),
+    /// A character, on whichever key the keyboard has it.
+    Character(&'static str),
+}
+
+impl Shortcut {
+    const fn new(modifiers: Modifiers, key: Key, scope: Scope) -> Self {
+        Self {
+            keys: Keys::Combination(KeyboardShortcut::new(modifiers, key)),
+            scope,
+        }
+    }
+
+    /// How the list of keys writes it, with the names that the keys have on most keyboards.
+    pub fn name(&self) -> String {
+        const NAMES: ModifierNames<'_> = ModifierNames {
+            concat: " + ",
+            ..ModifierNames::NAMES
+        };
+        match self.keys {
+            Keys::Combination(combination) => combination.format(&NAMES, false),
+            Keys::Character(character) => character.to_owned(),
+        }
+    }
+}
+
+impl Keys {
+    fn take(self, input: &mut InputState) -> bool {
+        match self {
+            Self::Combination(combination) => input.consume_shortcut(&combination),
+            Self::Character(character) => input
+                .events
+                .iter()
+                .any(|event| matches!(event, Event::Text(text) if text == character)),
+        }
+    }
 }

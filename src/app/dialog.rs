@@ -16,7 +16,7 @@ pub enum Dialog {
 /// The frame of a dialog: a card over the screen, with a heading.
 #[derive(Clone, Copy, Debug)]
 pub struct DialogFrame {
-    /// What egui knows it by.
+    /// Its egui id.
     pub id: &'static str,
     /// Its heading.
     pub title: &'static str,

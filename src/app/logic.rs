@@ -1,4 +1,5 @@
-//! What happens between frames: commands are carried out, what the platform tells is taken up, and what changed is stored.
+//! The logic, run before each frame: carries out commands, handles the events of the platform, runs the simulations, and stores what
+//! changed.
 
 use super::App;
 use super::command::Command;
@@ -15,13 +16,13 @@ use crate::formats::inputs::{Entry, Inputs};
 use crate::formats::{geometry, link, number};
 
 impl App {
-    /// Everything that happens between two frames.
+    /// Runs the logic.
     pub(super) fn update(&mut self, ctx: &egui::Context) {
         for command in std::mem::take(&mut self.pending) {
             self.carry_out(ctx, command);
         }
         for event in self.platform.events() {
-            self.take(ctx, event);
+            self.handle(ctx, event);
         }
         self.calculator.logic(&mut AppContext {
             egui: ctx,
@@ -34,7 +35,7 @@ impl App {
         self.store();
     }
 
-    fn take(&mut self, ctx: &egui::Context, event: Event) {
+    fn handle(&mut self, ctx: &egui::Context, event: Event) {
         match event {
             Event::Copied(Ok(())) => self.say("Results copied to the clipboard.", None),
             Event::Copied(Err(reason)) => self.say(&reason, None),
@@ -54,28 +55,18 @@ impl App {
 
     /// The one place where commands take effect.
     pub(super) fn carry_out(&mut self, ctx: &egui::Context, command: Command) {
-        if let Command::Follow(fragment) = &command {
-            let mut inputs = self.session.inputs.clone();
-            // One that names nothing changes nothing.
-            if link::apply(fragment, &mut inputs) {
-                self.carry_out(ctx, Command::Open(Box::new(inputs), "The link filled in the fields that it names."));
-            }
-            return;
-        }
-        if !matches!(
-            command,
-            Command::DragDisparity(_) | Command::CopyResults | Command::Show(_) | Command::Theme(_)
-        ) {
+        if command.is_edit() {
             self.session.settle();
         }
-        if !matches!(command, Command::Settle | Command::Theme(_)) {
+        if !command.keeps_notice() {
             self.notice = None;
         }
         match command {
-            Command::Settle | Command::Dismiss | Command::Follow(_) => {}
+            Command::Settle | Command::Dismiss => {}
             Command::Calculate => self.calculator.calculate(ctx, &self.session),
             Command::Reset => self.reset(),
             Command::Open(inputs, said) => self.open(ctx, *inputs, said),
+            Command::Follow(fragment) => self.follow(ctx, &fragment),
             Command::Undo => self.undo(),
             Command::Redo => self.redo(),
             Command::CopyResults => {
@@ -107,7 +98,7 @@ impl App {
         if self.session.inputs.is_blank() {
             self.say("There was nothing to clear.", None);
         } else {
-            self.say("All fields are cleared.", Some(("Undo", Command::Undo)));
+            self.say("All fields are cleared.", Some(Command::Undo));
         }
         self.session.inputs = Inputs::default();
         self.calculator.marked = false;
@@ -119,12 +110,20 @@ impl App {
         self.settings.screen = Screen::Calculator;
         self.calculator.reveal_results(ctx);
         self.calculator.helper = None;
-        self.say(said, replaced.then_some(("Undo", Command::Undo)));
+        self.say(said, replaced.then_some(Command::Undo));
+    }
+
+    /// Fills in what the part of a link behind `#` names. One that names nothing changes nothing.
+    fn follow(&mut self, ctx: &egui::Context, fragment: &str) {
+        let mut inputs = self.session.inputs.clone();
+        if link::apply(fragment, &mut inputs) {
+            self.open(ctx, inputs, "The link filled in the fields that it names.");
+        }
     }
 
     fn undo(&mut self) {
         if self.session.undo() {
-            self.say("Undone.", Some(("Redo", Command::Redo)));
+            self.say("Undone.", Some(Command::Redo));
         } else {
             self.say("There is nothing to undo.", None);
         }
@@ -132,7 +131,7 @@ impl App {
 
     fn redo(&mut self) {
         if self.session.redo() {
-            self.say("Done again.", Some(("Undo", Command::Undo)));
+            self.say("Done again.", Some(Command::Undo));
         } else {
             self.say("There is nothing to do again.", None);
         }
@@ -146,22 +145,22 @@ impl App {
         ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(key)));
     }
 
-    fn say(&mut self, text: &str, action: Option<(&'static str, Command)>) {
+    fn say(&mut self, text: &str, action: Option<Command>) {
         self.notice = Some(Notice {
             text: text.to_owned(),
             action,
         });
     }
 
-    /// Whether storage holds everything that was entered and chosen.
+    /// Whether the state is saved.
     pub(super) fn is_stored(&self) -> bool {
         self.stored.inputs == self.session.inputs && self.stored.settings == self.settings
     }
 
-    /// Starts without what is in storage, which cannot be used for `reason`.
+    /// Starts with empty inputs, as `reason` says why what is stored cannot be used.
     pub(super) fn start_fresh(&mut self, reason: &str) {
         let Err(obstacle) = self.set_aside_unreadable(reason) else { return };
-        // Often both are the same.
+        // Both are the same where storage does not work at all.
         let obstacle = if obstacle == reason {
             String::new()
         } else {
@@ -173,7 +172,7 @@ impl App {
         );
     }
 
-    /// Moves away what could not be read, for `reason`, and says where it is.
+    /// Moves what could not be read to another place in storage, and shows `reason` and that place.
     fn set_aside_unreadable(&mut self, reason: &str) -> Result<(), String> {
         if self.holds_unreadable {
             let kept = self.platform.set_aside()?;
@@ -185,7 +184,7 @@ impl App {
         Ok(())
     }
 
-    /// Writes what changed. A failure is said once.
+    /// Saves the state if it changed. A failure is shown once for each change.
     fn store(&mut self) {
         if self.is_stored() {
             return;

@@ -1,7 +1,7 @@
 //! The egui application, the same in a browser, in a window and under test.
 //!
-//! [`App`] holds its parts. `ui.rs` draws a frame of them, which adds [`Command`]s to a list; `logic.rs` carries those out, takes
-//! what the platform has to tell, and stores what changed.
+//! [`App`] holds the state. `ui.rs` draws a frame, and collects commands; `logic.rs` carries them out before the next frame, handles
+//! the events of the platform, and saves what changed.
 
 mod about;
 mod calculator;
@@ -37,16 +37,16 @@ pub struct App {
     platform: Box<dyn Platform>,
     session: Session,
     settings: Settings,
-    /// What is in storage, to write only what changed.
+    /// What was saved last, to save only what changed.
     stored: Saved,
-    /// What is in storage could not be read and is still there: nothing is written over it.
+    /// Storage holds a state that could not be read; it must not be overwritten.
     holds_unreadable: bool,
     calculator: Calculator,
     notice: Option<Notice>,
     /// The dialog over the screen.
     dialog: Option<Dialog>,
     system_colors: Option<SystemColors>,
-    /// What the last frame asked for, in order.
+    /// The commands of the last frame, in order.
     pending: Vec<Command>,
 }
 
@@ -86,7 +86,7 @@ impl App {
         app
     }
 
-    /// At a desk the first field is where one starts; on a phone it would open the keyboard unasked.
+    /// Focuses the first field on an empty form; not on a phone, where that would open the keyboard.
     fn focus_first_field(&self, ctx: &egui::Context) {
         let touch = ctx.input(|input| input.any_touches());
         if self.session.inputs.is_blank() && self.settings.screen == Screen::Calculator && !touch && ctx.content_rect().width() > 720.0 {

@@ -19,13 +19,14 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
             ui.add_space(8.0);
             tabs_ui(ui, cx);
         }
-        // In the order in which they are read: a layout from the right would turn it around.
+        // A right-to-left layout would reverse the order in which Tab and screen readers reach the buttons.
         let side = cx.layout.control_height();
         ui.spacing_mut().button_padding.x = theme::STEP;
         ui.add_space((ui.available_width() - 2.0 * side - ui.spacing().item_spacing.x).max(0.0));
         let keys = Button::new("?").min_size(vec2(side, side));
-        if ui.add(keys).accessible_name("Keys").clicked() {
-            cx.commands.push(Command::ShowDialog(Some(Dialog::Keys)));
+        let show_keys = Command::ShowDialog(Some(Dialog::Keys));
+        if ui.add(keys).accessible_name(show_keys.text()).clicked() {
+            cx.commands.push(show_keys);
         }
         theme_choice_ui(ui, cx);
     });
@@ -40,13 +41,14 @@ fn tabs_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     ui.scope_builder(list, |ui| {
         ui.horizontal(|ui| {
             for choice in Screen::ALL {
+                let command = Command::Show(choice);
                 let selected = choice == cx.settings.screen;
                 let text = if selected {
-                    RichText::new(choice.name())
+                    RichText::new(command.text())
                         .font(theme::strong(theme::BODY_SIZE))
                         .color(palette.text)
                 } else {
-                    RichText::new(choice.name()).color(palette.muted)
+                    RichText::new(command.text()).color(palette.muted)
                 };
                 let fill = if selected { palette.highlight } else { palette.surface };
                 let tab = ui.add(
@@ -60,7 +62,7 @@ fn tabs_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
                     node.set_selected(selected);
                 });
                 if tab.clicked() {
-                    cx.commands.push(Command::Show(choice));
+                    cx.commands.push(command);
                 }
             }
         });
@@ -72,13 +74,10 @@ fn theme_choice_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let button = Button::new(RichText::new("◐").size(theme::ICON_SIZE)).min_size(vec2(height, height));
     let (response, _) = MenuButton::from_button(button).ui(ui, |ui| {
         ui.spacing_mut().interact_size.y = height;
-        for (choice, name) in [
-            (ThemePreference::System, "As the system"),
-            (ThemePreference::Light, "Light"),
-            (ThemePreference::Dark, "Dark"),
-        ] {
-            if ui.selectable_label(cx.settings.theme == choice, name).clicked() {
-                cx.commands.push(Command::Theme(choice));
+        for choice in [ThemePreference::System, ThemePreference::Light, ThemePreference::Dark] {
+            let command = Command::Theme(choice);
+            if ui.selectable_label(cx.settings.theme == choice, command.text()).clicked() {
+                cx.commands.push(command);
                 ui.close();
             }
         }

@@ -10,8 +10,8 @@ use egui::{Button, Ui, vec2};
 pub struct Notice {
     /// The sentence.
     pub text: String,
-    /// What can be done about it: the name of a button and its command.
-    pub action: Option<(&'static str, Command)>,
+    /// What can be done about it.
+    pub action: Option<Command>,
 }
 
 impl Notice {
@@ -21,13 +21,14 @@ impl Notice {
             let said = ui.label(&self.text);
             text::announce(ui, &said);
             let button = |name: &str| Button::new(name).min_size(vec2(0.0, cx.layout.control_height()));
-            if let Some((name, action)) = &self.action
-                && ui.add(button(name)).clicked()
+            if let Some(action) = &self.action
+                && ui.add(button(action.text())).clicked()
             {
                 cx.commands.push(action.clone());
             }
-            if ui.add(button("Close").frame(false)).clicked() {
-                cx.commands.push(Command::Dismiss);
+            let close = Command::Dismiss;
+            if ui.add(button(close.text()).frame(false)).clicked() {
+                cx.commands.push(close);
             }
         });
     }

@@ -1,8 +1,9 @@
-//! The port: what the program needs from the machine it runs on.
+//! The port to the platform: storage, clipboard, events, and what the program says about itself.
 
 use super::theme::SystemColors;
 
-/// The author's id, in the tree for assistive technology, of the button for which there is [`App::copy_results`](super::App::copy_results).
+/// The author id, in the accessibility tree, of the button that calls [`App::copy_results`](super::App::copy_results) while the click is
+/// being handled.
 pub const COPY_RESULTS: &str = "copy results";
 
 /// What the program needs from the machine it runs on.
@@ -29,7 +30,7 @@ pub trait Platform {
     /// Starts putting `text` on the clipboard; the outcome comes later as [`Event::Copied`].
     fn copy(&mut self, ctx: &egui::Context, text: String);
 
-    /// What has happened outside the program since the last call, in order. Whoever adds an event asks egui for a frame.
+    /// The events since the last call, in order. The implementation requests a repaint for each.
     fn events(&mut self) -> Vec<Event>;
 
     /// The commit that the program was built from, where that is known.

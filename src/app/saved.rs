@@ -1,4 +1,4 @@
-//! What survives a reload and a restart.
+//! The state that survives a reload and a restart, and its text form.
 
 use crate::core::quantity::LengthUnit;
 use crate::formats::entry::Entries;
@@ -83,7 +83,7 @@ struct StoredVersion {
     version: u32,
 }
 
-/// The stored text. Strict on purpose: a text that only half fits is not what was stored.
+/// The form of the stored text. Unknown and missing fields are errors: such a text was not stored by this version.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Stored {
@@ -142,7 +142,7 @@ impl Saved {
     /// The text to store (JSON).
     ///
     /// # Errors
-    /// What the serialiser says, in the unlikely case that it refuses.
+    /// The error of the serializer, in the unlikely case that there is one.
     pub fn to_text(&self) -> Result<String, String> {
         serde_json::to_string(&Stored {
             version: VERSION,

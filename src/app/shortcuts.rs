@@ -1,51 +1,51 @@
 //! The keys that the program knows, and the list of them that `?` shows.
 
-use super::about;
-use super::command::Command;
+use super::command::{Command, Scope};
 use super::context::AppContext;
 use super::dialog::{Dialog, DialogFrame, close_button};
+use super::saved::Screen;
 use super::theme;
 use super::widgets::table::{Cell, row, table};
 use super::widgets::text;
 use egui::accesskit::Role;
 use egui::text::LayoutJob;
-use egui::{Event, Key, Modifiers, Ui};
+use egui::{Context, Ui};
 
-const KEYS: [(&str, &str); 9] = [
-    ("Tab, Shift + Tab", "Next field or button, and the one before"),
-    ("Enter", "Calculate: marks what is missing and goes there"),
-    ("↑ ↓", "Step the field, or the point on the curve"),
-    ("Shift + ↑ ↓", "Step ten times as far"),
-    ("Ctrl + Z", "Undo (⌘ Z on a Mac)"),
-    ("Ctrl + Shift + Z", "Redo"),
-    ("Alt + 1, Alt + 2", "Calculator, Learn"),
-    ("Esc, then Tab", "Leave the program for the rest of the page"),
-    ("?", "This list"),
-];
+/// The command whose keys were pressed.
+pub fn pressed(ctx: &Context) -> Option<Command> {
+    let scopes: &[Scope] = if ctx.text_edit_focused() {
+        &[Scope::Everywhere]
+    } else {
+        &[Scope::Everywhere, Scope::OutsideText]
+    };
+    // Redo before Undo: Ctrl + Z also matches while Shift is held.
+    let commands = [Command::Redo, Command::Undo, Command::ShowDialog(Some(Dialog::Keys))];
+    let mut all = Screen::ALL.map(Command::Show).into_iter().chain(commands);
+    ctx.input_mut(|input| all.find(|command| command.take_keys(input, scopes)))
+}
 
-/// The command of a key that was pressed while no text is edited.
-pub fn pressed(ctx: &egui::Context) -> Option<Command> {
-    use super::saved::Screen;
-    let screen = ctx.input_mut(|input| {
-        [(Key::Num1, Screen::Calculator), (Key::Num2, Screen::Learn)]
-            .into_iter()
-            .find_map(|(key, screen)| input.consume_key(Modifiers::ALT, key).then_some(Command::Show(screen)))
-    });
-    // While a field is edited, undo belongs to its text, and a question mark is text.
-    if screen.is_some() || ctx.text_edit_focused() {
-        return screen;
-    }
-    ctx.input_mut(|input| {
-        if input.consume_key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z) || input.consume_key(Modifiers::COMMAND, Key::Y) {
-            Some(Command::Redo)
-        } else if input.consume_key(Modifiers::COMMAND, Key::Z) {
-            Some(Command::Undo)
-        } else if input.events.iter().any(|event| matches!(event, Event::Text(text) if text == "?")) {
-            Some(Command::ShowDialog(Some(Dialog::Keys)))
-        } else {
-            None
-        }
-    })
+/// The keys and what they do. Those without a command belong to egui, or to whatever has the focus.
+fn rows() -> Vec<(String, String)> {
+    let keys = |keys: &str, what: &str| (keys.to_owned(), what.to_owned());
+    let of = |commands: &[Command]| {
+        let names: Vec<String> = commands
+            .iter()
+            .filter_map(|command| Some(command.shortcuts().first()?.name()))
+            .collect();
+        let what: Vec<&str> = commands.iter().map(Command::explanation).collect();
+        (names.join(", "), what.join(", "))
+    };
+    vec![
+        keys("Tab, Shift + Tab", "Next field or button, and the one before"),
+        of(&[Command::Calculate]),
+        keys("↑ ↓", "Step the field, or the point on the curve"),
+        keys("Shift + ↑ ↓", "Step ten times as far"),
+        of(&[Command::Undo]),
+        of(&[Command::Redo]),
+        of(&Screen::ALL.map(Command::Show)),
+        keys("Esc, then Tab", "Leave the program for the rest of the page"),
+        of(&[Command::ShowDialog(Some(Dialog::Keys))]),
+    ]
 }
 
 /// The list, over the screen.
@@ -56,11 +56,13 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
         title: "Keys",
         max_width: 460.0,
     };
+    let about = Command::ShowDialog(Some(Dialog::About));
+    let close = Command::ShowDialog(None);
     let response = frame.show(ui, |ui| {
         table(ui, "Keys", |ui| {
-            for (keys, what) in KEYS {
-                let cell = |text: &str, font, role| Cell {
-                    text: LayoutJob::simple(text.to_owned(), font, palette.text, 0.0),
+            for (keys, what) in rows() {
+                let cell = |text, font, role| Cell {
+                    text: LayoutJob::simple(text, font, palette.text, 0.0),
                     role,
                     align_right: false,
                 };
@@ -73,15 +75,68 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
         });
         ui.add_space(2.0 * theme::STEP);
         ui.horizontal(|ui| {
-            let closed = close_button(ui, "Close", cx.layout);
-            if text::link_button(ui, about::NAME, cx.layout).clicked() {
-                Some(Some(Dialog::About))
+            let closed = close_button(ui, close.text(), cx.layout);
+            if text::link_button(ui, about.text(), cx.layout).clicked() {
+                Some(about)
             } else {
-                closed.then_some(None)
+                closed.then(|| close.clone())
             }
         })
         .inner
     });
-    let next = response.inner.or_else(|| response.should_close().then_some(None));
-    cx.commands.extend(next.map(Command::ShowDialog));
+    let next = response.inner.clone().or_else(|| response.should_close().then_some(close));
+    cx.commands.extend(next);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui::{Event, Key, Modifiers, RawInput};
+
+    #[test]
+    fn keys_give_their_command_and_redo_is_not_taken_for_undo() {
+        let given_by = |event: Event| {
+            let mut command = None;
+            let input = RawInput {
+                events: vec![event],
+                ..RawInput::default()
+            };
+            let mut output = Context::default().run_ui(input, |ui| command = pressed(ui.ctx()));
+            output.textures_delta.clear();
+            command
+        };
+        let key = |modifiers, key| Event::Key {
+            key,
+            physical_key: None,
+            pressed: true,
+            repeat: false,
+            modifiers,
+        };
+        for (event, command) in [
+            (key(Modifiers::COMMAND, Key::Z), Some(Command::Undo)),
+            (key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z), Some(Command::Redo)),
+            (key(Modifiers::COMMAND, Key::Y), Some(Command::Redo)),
+            (key(Modifiers::ALT, Key::Num1), Some(Command::Show(Screen::Calculator))),
+            (key(Modifiers::ALT, Key::Num2), Some(Command::Show(Screen::Learn))),
+            (Event::Text("?".to_owned()), Some(Command::ShowDialog(Some(Dialog::Keys)))),
+            (key(Modifiers::NONE, Key::Z), None),
+            (key(Modifiers::NONE, Key::Enter), None),
+        ] {
+            assert_eq!(given_by(event.clone()), command, "{event:?}");
+        }
+    }
+
+    #[test]
+    fn the_list_names_the_keys_of_the_commands() {
+        let rows = rows();
+        for (keys, what) in [
+            ("Enter", "Calculate: marks what is missing and goes there"),
+            ("Ctrl + Z", "Undo (⌘ Z on a Mac)"),
+            ("Ctrl + Shift + Z", "Redo"),
+            ("Alt + 1, Alt + 2", "Calculator, Learn"),
+            ("?", "This list"),
+        ] {
+            assert!(rows.contains(&(keys.to_owned(), what.to_owned())), "{keys}: {rows:?}");
+        }
+    }
 }

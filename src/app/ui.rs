@@ -1,4 +1,4 @@
-//! The frame: navigation at the top, a screen, bars at the bottom, and dialogs over them.
+//! The frame: navigation bar, screen, bars at the bottom, and dialogs.
 
 use super::App;
 use super::calculator::{self, Calculator};
@@ -13,7 +13,7 @@ use super::{about, learn, navigation, shortcuts};
 use egui::{Align, CentralPanel, Frame, Margin, Panel, Stroke, Ui};
 
 impl App {
-    /// Draws a frame, and keeps what it asks for until [`Self::update`] carries it out.
+    /// Draws a frame and queues its commands for [`Self::update`].
     pub(super) fn frame_ui(&mut self, ui: &mut Ui) {
         let mut commands = Vec::from_iter(shortcuts::pressed(ui.ctx()));
         let ctx = ui.ctx().clone();
@@ -37,12 +37,12 @@ impl App {
             None => {}
         }
         focus_ring(ui);
-        self.keep(&ctx, commands);
+        self.queue(&ctx, commands);
     }
 
-    /// Keeps `commands` for [`Self::update`].
-    fn keep(&mut self, ctx: &egui::Context, mut commands: Vec<Command>) {
-        // At once: some browsers allow it only while they handle the click, and that of a pointer is when eframe runs this pass.
+    /// Queues `commands` for [`Self::update`].
+    fn queue(&mut self, ctx: &egui::Context, mut commands: Vec<Command>) {
+        // Copying cannot wait: some browsers allow it only while they handle the click, which is when eframe runs this pass.
         if commands.contains(&Command::CopyResults) {
             commands.retain(|command| *command != Command::CopyResults);
             self.copy_results(ctx);
@@ -51,7 +51,7 @@ impl App {
             self.pending.append(&mut commands);
             ctx.request_repaint();
         }
-        // What was typed in this pass is stored in the next.
+        // What was typed in this frame is saved by the logic of the next.
         if !self.is_stored() {
             ctx.request_repaint();
         }
@@ -103,19 +103,19 @@ fn bar(ui: &Ui, layout: Layout, vertical: i8) -> Frame {
         .inner_margin(Margin::symmetric(layout.bar_margin(), vertical))
 }
 
-/// Draws a ring around what has the keyboard: not every widget shows its focus by itself.
+/// Draws a ring around the focused widget: not every widget shows its focus by itself.
 fn focus_ring(ui: &Ui) {
     const WIDTH: f32 = 2.0;
-    // A field has its own border for that.
+    // A text field shows it by its border.
     if ui.ctx().text_edit_focused() {
         return;
     }
     let focused = ui.memory(|memory| memory.focused()).and_then(|id| ui.ctx().read_response(id));
-    // Not while something else in the window has it, nor around what is scrolled out of sight.
+    // Neither while something outside egui has the focus, nor around what is scrolled out of view.
     let Some(response) = focused.filter(|response| response.has_focus() && response.interact_rect.is_positive()) else {
         return;
     };
-    // Only as much as can be seen of it where it is scrolled.
+    // Clipped to the visible part of the widget.
     let visible = response.interact_rect.expand(3.0 * WIDTH);
     let painter = ui.ctx().layer_painter(response.layer_id).with_clip_rect(visible);
     let ring = Stroke::new(WIDTH, theme::palette(ui).blue);

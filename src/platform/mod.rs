@@ -1,4 +1,4 @@
-//! Floor 5: entry points, and what only one platform has.
+//! Entry points, and what only one platform has.
 
 #[cfg(not(target_arch = "wasm32"))]
 pub mod desktop;

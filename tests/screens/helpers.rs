@@ -48,8 +48,8 @@ fn units_are_said_and_not_only_painted() {
         let field = program.harness.get_by_role_and_label(Role::NumberInput, name);
         field.accesskit_node().data().description().unwrap_or_default().to_owned()
     };
-    assert_eq!(description(&program, "Focal length of the lens"), "In millimetres.");
-    assert_eq!(description(&program, "Pixel pitch"), "In micrometres.");
+    assert_eq!(description(&program, "Focal length of the lens"), "In millimeters.");
+    assert_eq!(description(&program, "Pixel pitch"), "In micrometers.");
     assert!(description(&program, D).contains("In pixels."));
 }
 

@@ -195,9 +195,9 @@ impl LengthUnit {
     /// ```
     pub const fn name(self) -> &'static str {
         match self {
-            Self::Millimeter => "millimetres",
-            Self::Centimeter => "centimetres",
-            Self::Meter => "metres",
+            Self::Millimeter => "millimeters",
+            Self::Centimeter => "centimeters",
+            Self::Meter => "meters",
             Self::Inch => "inches",
             Self::Foot => "feet",
         }

@@ -39,7 +39,7 @@ pub fn formula(solution: &Solution, method: Method) -> &'static str {
     }
 }
 
-/// The formula of `method` with the current numbers and its result in metres, or `None` while an input is missing:
+/// The formula of `method` with the current numbers and its result in meters, or `None` while an input is missing:
 /// "D = 700 px · 0.1 m / 50 px = 1.400 m".
 pub fn formula_with_numbers(solution: &Solution, method: Method) -> Option<String> {
     let distance = solution.outcome(method).distance()?;

@@ -13,7 +13,7 @@ use egui_plot::{Line, PlotPoint, PlotPoints, PlotResponse};
 
 pub const TITLE: &str = "Distance against disparity";
 
-/// What the picture remembers: the axes stay as they are while the point is dragged.
+/// State between frames: while the point is dragged, the axes do not change.
 #[derive(Debug, Default)]
 pub struct Curve {
     held: Option<Model>,
@@ -66,7 +66,7 @@ impl Model {
         let resolution = 10f64.powf((self.disparity_end_px / f64::from(width.max(1.0))).log10().floor());
         let x = x.clamp(0.0, 1.0);
         let disparity = ((x * self.disparity_end_px / resolution).round() * resolution).max(resolution);
-        // As it will be written: 33.3, not the 33.300000000000004 of the multiplication.
+        // 33.3, not 33.300000000000004: what the field will show.
         number::plain(disparity).parse().unwrap_or(disparity)
     }
 }
@@ -190,7 +190,7 @@ fn description(point: Option<&Point>) -> String {
 /// Where on the axis of disparities, as a fraction of it, the person wants the point; `None` where it is to stay.
 fn wanted(ui: &Ui, handle: &Response, drawn: &Drawn, point: &Point) -> Option<f64> {
     let Drawn { model, plot } = drawn;
-    // All are asked, because that takes the keys and requests out of the input. The keyboard wins.
+    // All three are read, as reading consumes keys and requests. The keyboard has priority.
     let dragged = handle.dragged().then(|| handle.interact_pointer_pos()).flatten();
     let dragged = dragged.map(|pointer| plot.transform.value_from_position(pointer).x);
     let set = asked_for(ui, handle).map(|disparity| disparity / model.disparity_end_px);

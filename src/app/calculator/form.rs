@@ -1,4 +1,4 @@
-//! The form: five fields, the buttons, the examples, and the ways to ask for more.
+//! The form: the fields, the buttons, the examples, and links to optional parts.
 
 use super::unknown;
 use crate::app::command::{Command, Helper};
@@ -27,7 +27,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
             ui.spacing_mut().item_spacing.y = theme::STEP;
             unknown::ui(ui, cx);
             fields_ui(ui, cx, marked);
-            apart(ui, "buttons", |ui| {
+            scoped(ui, "buttons", |ui| {
                 buttons_ui(ui, cx);
                 ui.add_space(theme::STEP);
                 examples_ui(ui, cx);
@@ -47,16 +47,16 @@ fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
         computed: assessment.unknown.as_ref().filter(|unknown| unknown.field == field),
     };
     for (section, fields) in SECTIONS {
-        apart(ui, section, |ui| {
+        scoped(ui, section, |ui| {
             text::card_heading(ui, section);
             let mut space = 2.0;
             for &field in fields {
-                // Most rigs have no offset, and who has none should not have to wonder what it is.
+                // Most rigs have no doffs, so the field is hidden until there is one.
                 if !inputs.shows(field) {
                     continue;
                 }
                 ui.add_space(space);
-                apart(ui, field, |ui| {
+                scoped(ui, field, |ui| {
                     let quantity_field = QuantityField {
                         field,
                         inputs: &mut *inputs,
@@ -72,9 +72,9 @@ fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
     }
 }
 
-/// Draws a part of the form with a name of its own: else everything after an error that appears would be another thing to
-/// egui, and to a screen reader.
-fn apart(ui: &mut Ui, name: impl std::hash::Hash + std::fmt::Debug, add_contents: impl FnOnce(&mut Ui)) {
+/// Draws a part of the form in a scope with an id of its own. Otherwise an error that appears would change the ids of all widgets
+/// after it, and with them the nodes that a screen reader knows.
+fn scoped(ui: &mut Ui, name: impl std::hash::Hash + std::fmt::Debug, add_contents: impl FnOnce(&mut Ui)) {
     let builder = UiBuilder::new().scope_id(egui::Id::unique(("part of the form", name)));
     ui.scope_builder(builder, add_contents);
 }
@@ -83,7 +83,7 @@ fn buttons_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let height = cx.layout.control_height();
     let palette = theme::palette(ui);
     let calculate = Button::new(
-        RichText::new("Calculate Distance")
+        RichText::new(Command::Calculate.text())
             .font(theme::strong(theme::BODY_SIZE))
             .color(palette.on_blue),
     )
@@ -96,13 +96,13 @@ fn buttons_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0 * theme::STEP;
         let width = (ui.available_width() - 2.0 * theme::STEP) / 2.0;
-        for (name, wanted) in [("Reset", Command::Reset), ("Copy Results", Command::CopyResults)] {
-            let button = ui.add_sized(vec2(width, height), Button::new(name));
-            if wanted == Command::CopyResults {
+        for command in [Command::Reset, Command::CopyResults] {
+            let button = ui.add_sized(vec2(width, height), Button::new(command.text()));
+            if command == Command::CopyResults {
                 ui.accesskit_node_builder(button.id, |node| node.set_author_id(COPY_RESULTS));
             }
             if button.clicked() {
-                cx.commands.push(wanted);
+                cx.commands.push(command);
             }
         }
     });
@@ -120,10 +120,9 @@ fn examples_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     });
 }
 
-/// What is not shown until it is asked for.
+/// Links that show or hide the optional parts.
 fn more_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let inputs = &mut cx.session.inputs;
-    let shows_geometry = cx.settings.shows_geometry;
     ui.horizontal_wrapped(|ui| {
         text::caption(ui, "More:");
         let name = if inputs.with_uncertainty {
@@ -139,13 +138,9 @@ fn more_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
             inputs.unknown = Some(unknown::FIRST);
             cx.commands.push(Command::Settle);
         }
-        let name = if shows_geometry {
-            "Hide range, tilt and ground plane"
-        } else {
-            "Range, tilt, ground plane"
-        };
-        if text::link_button(ui, name, cx.layout).clicked() {
-            cx.commands.push(Command::ShowGeometry(!shows_geometry));
+        let geometry = Command::ShowGeometry(!cx.settings.shows_geometry);
+        if text::link_button(ui, geometry.text(), cx.layout).clicked() {
+            cx.commands.push(geometry);
         }
     });
 }

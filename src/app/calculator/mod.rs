@@ -23,10 +23,10 @@ use crate::formats::report;
 use crate::formats::sentences::Statement;
 use egui::{Align, Id, Pos2, Rect, RichText, Ui, UiBuilder};
 
-/// What the screen remembers between frames beside the inputs.
+/// State of the screen between frames, beside the inputs.
 #[derive(Debug, Default)]
 pub struct Calculator {
-    /// *Calculate Distance* was asked for: missing inputs are marked until something is typed.
+    /// *Calculate Distance* was pressed: missing inputs are marked until something is typed.
     pub marked: bool,
     /// The helper that is open.
     pub helper: Option<Helper>,
@@ -118,7 +118,7 @@ impl Calculator {
     fn form_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>) {
         form::ui(ui, cx, self.marked);
         if cx.session.refresh() {
-            // Something is being typed: what is still missing is no news any more.
+            // Somebody is typing, and knows that the rest is missing.
             self.marked = false;
         }
     }

@@ -1,4 +1,4 @@
-//! The highlighted result: what both methods say, each as soon as its inputs are complete.
+//! The result cards: the distance by each method whose inputs are complete, and both combined.
 
 use crate::app::command::Command;
 use crate::app::context::AppContext;
@@ -14,7 +14,7 @@ use crate::formats::sentences::Statement;
 use egui::accesskit::Role;
 use egui::{Id, RichText, Ui, UiBuilder};
 
-/// What there is to say in one line: pairs of a method's name and its distance, or "–.– m" alone.
+/// The results in one line: pairs of a method's name and its distance, or "–.– m" alone.
 pub fn headline(solution: &Solution, unit: LengthUnit) -> Vec<(Option<&'static str>, String)> {
     let found: Vec<_> = Method::ALL
         .into_iter()
@@ -99,7 +99,7 @@ impl Shown<'_> {
     }
 }
 
-/// What both distances say together, and whether they agree.
+/// The weighted mean of both distances, and whether they agree.
 fn combined_ui(ui: &mut Ui, comparison: &Comparison, suspects: &[Suspect], unit: LengthUnit) {
     let palette = theme::palette(ui);
     let (words, front, back) = match comparison.agreement.verdict {
@@ -168,7 +168,7 @@ fn card(ui: &mut Ui, name: &str, add_contents: impl FnOnce(&mut Ui)) {
 
 fn number(ui: &mut Ui, value: &str, unit: &str, name: &str) {
     let palette = theme::palette(ui);
-    // One label, so that it is read, found and copied as one: "1.400 m".
+    // One label, so that "1.400 m" is read aloud, found and copied as a whole.
     let mut job = egui::text::LayoutJob::default();
     job.append(
         value,

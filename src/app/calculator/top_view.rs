@@ -1,4 +1,4 @@
-//! The scene from above, to scale: cameras, lines of sight, object. A pure model, a pure layout, and painting.
+//! The scene from above, to scale: cameras, lines of sight, object. Three parts: a pure model, a pure layout, and painting.
 
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::picture;
@@ -10,7 +10,7 @@ use egui::{Align2, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, pos2, vec2};
 
 pub const TITLE: &str = "Top view, to scale";
 
-/// Cameras that would stand closer than this are enlarged in an inset, points.
+/// Cameras that would be drawn closer together than this, in points, are enlarged in an inset.
 const CLOSE: f32 = 24.0;
 
 /// Draws the picture.
@@ -31,7 +31,7 @@ pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
     super::super::widgets::text::caption(ui, model.remark());
 }
 
-/// What stands where, in metres: x to the right, z away from the cameras, the middle of the cameras at the origin.
+/// The scene in meters: x to the right, z away from the cameras, the middle of the cameras at the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Model {
     depth_m: f64,
@@ -69,7 +69,7 @@ impl Model {
                 interval_m,
             },
         };
-        // Painting is done in f32: what f32 cannot tell apart is not worth a picture.
+        // Painting is done in f32, so lengths beyond its range are not drawn.
         let drawable = |length: f64| (1e-30..1e30).contains(&length);
         [Some(model.depth_m), model.baseline_m, model.width_m]
             .into_iter()
@@ -86,7 +86,7 @@ impl Model {
     }
 
     fn description(&self, unit: LengthUnit) -> String {
-        let length = |metres| report::length(Some(Length::from_m(metres)), unit);
+        let length = |meters| report::length(Some(Length::from_m(meters)), unit);
         let cameras = self.baseline_m.map_or_else(
             || "One camera".to_owned(),
             |baseline| format!("Two cameras {} apart", length(baseline)),
@@ -104,12 +104,12 @@ impl Model {
     }
 }
 
-/// Where everything is on the screen.
+/// The layout: positions on the screen, in points.
 #[derive(Clone, Debug, PartialEq)]
 struct Scene {
-    /// The space of the picture, of which more or less may be scrolled out of sight.
+    /// The rectangle of the picture, part of which may be scrolled out of view.
     frame: Rect,
-    points_per_metre: f64,
+    points_per_meter: f64,
     cameras: Vec<Pos2>,
     object: Pos2,
     /// Ends of the object's width.
@@ -132,17 +132,17 @@ impl Scene {
         let height = f64::from((frame.height() - MARGIN - FAR_MARGIN).max(1.0));
         let width = f64::from((frame.width() * 0.8).max(1.0));
         let widest = model.baseline_m.unwrap_or(0.0).max(model.width_m.unwrap_or(0.0));
-        // Equal axes: the one scale that fits both.
-        let points_per_metre = (height / model.depth_m).min(if widest > 0.0 { width / widest } else { f64::INFINITY });
+        // Both axes have the same scale, the largest that fits.
+        let points_per_meter = (height / model.depth_m).min(if widest > 0.0 { width / widest } else { f64::INFINITY });
         let origin = pos2(frame.center().x, frame.bottom() - MARGIN);
-        let place = |x_m: f64, z_m: f64| pos2(origin.x + to_f32(x_m * points_per_metre), origin.y - to_f32(z_m * points_per_metre));
+        let place = |x_m: f64, z_m: f64| pos2(origin.x + to_f32(x_m * points_per_meter), origin.y - to_f32(z_m * points_per_meter));
         let cameras = match model.baseline_m {
             Some(baseline) => vec![place(-baseline / 2.0, 0.0), place(baseline / 2.0, 0.0)],
             None => vec![place(0.0, 0.0)],
         };
         let object = place(0.0, model.depth_m);
         let inset = model.baseline_m.and_then(|baseline| {
-            let apart = baseline * points_per_metre;
+            let apart = baseline * points_per_meter;
             (apart < f64::from(CLOSE)).then(|| {
                 let frame = Rect::from_min_size(frame.left_bottom() - vec2(0.0, 92.0), vec2((frame.width() * 0.36).min(132.0), 92.0));
                 let shown = frame.width() * 0.5;
@@ -156,7 +156,7 @@ impl Scene {
         });
         Self {
             frame,
-            points_per_metre,
+            points_per_meter,
             cameras,
             object,
             edges: model
@@ -185,7 +185,7 @@ fn paint(painter: &Painter, palette: &Palette, model: &Model, scene: &Scene, uni
     }
     if let Some((near, far)) = model.interval_m {
         let x = scene.object.x;
-        let y = |depth_m: f64| scene.object.y + to_f32((model.depth_m - depth_m) * scene.points_per_metre);
+        let y = |depth_m: f64| scene.object.y + to_f32((model.depth_m - depth_m) * scene.points_per_meter);
         let span = Rect::from_x_y_ranges(x - 5.0..=x + 5.0, far.map_or(frame.top(), y)..=y(near));
         painter.rect_filled(span, 5.0, palette.blue.gamma_multiply(0.35));
     }
@@ -261,7 +261,7 @@ fn paint_inset(painter: &Painter, palette: &Palette, model: &Model, inset: &Inse
 /// A bar of round length, at the lower right.
 fn paint_scale(painter: &Painter, palette: &Palette, scene: &Scene, unit: LengthUnit) {
     let frame = scene.frame;
-    let points_per_unit = scene.points_per_metre * Length::new(1.0, unit).m();
+    let points_per_unit = scene.points_per_meter * Length::new(1.0, unit).m();
     let longest = f64::from(frame.width() * 0.2) / points_per_unit;
     let length = round_down(longest);
     if !length.is_normal() {
@@ -354,7 +354,7 @@ mod tests {
     fn cameras_too_close_to_tell_apart_get_an_inset_that_says_how_much_it_enlarges() {
         let (model, mug) = scene(&Example::CoffeeMug.inputs());
         let inset = mug.inset.unwrap();
-        let apart = model.baseline_m.unwrap() * mug.points_per_metre;
+        let apart = model.baseline_m.unwrap() * mug.points_per_meter;
         assert!(apart < f64::from(CLOSE));
         assert!((f64::from(inset.cameras[1].x - inset.cameras[0].x) / apart / inset.factor - 1.0).abs() < 1e-4);
         let mut wide = Example::CoffeeMug.inputs();
@@ -368,7 +368,7 @@ mod tests {
         let (model, doorway) = scene(&Example::Doorway.inputs());
         assert_eq!(doorway.cameras.len(), 1);
         let [left, right] = doorway.edges.unwrap();
-        assert!((f64::from(right.x - left.x) / doorway.points_per_metre / model.width_m.unwrap() - 1.0).abs() < 1e-4);
+        assert!((f64::from(right.x - left.x) / doorway.points_per_meter / model.width_m.unwrap() - 1.0).abs() < 1e-4);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! How sure one can be: where the variance comes from, and a simulation where first order is not good enough.
+//! The uncertainty cards: the share of each input in the variance, and a Monte Carlo simulation where first order is not good enough.
 
 use crate::app::context::AppContext;
 use crate::app::theme;
@@ -11,11 +11,11 @@ use crate::formats::inputs::Assessment;
 use crate::formats::report;
 use egui::{Align2, Color32, Rect, Sense, Ui, pos2, vec2};
 
-/// Draws of a simulation.
+/// Draws per simulation.
 const DRAWS: u32 = 100_000;
-/// Draws in one frame: half a millisecond, so that the screen never waits.
+/// Draws per frame: half a millisecond, so that no frame is late.
 const DRAWS_IN_A_FRAME: u32 = 5_000;
-/// Any number will do; always the same one makes the figures reproducible.
+/// Fixed, so that the figures are reproducible.
 const SEED: u64 = 1954;
 
 /// The simulations that the assessment asks for, one for each method.
@@ -34,8 +34,8 @@ enum Simulation {
 }
 
 impl Simulation {
-    /// Starts anew unless it is about `wanted` already. Returns whether it did.
-    fn aim_at(&mut self, wanted: Option<Model>) -> bool {
+    /// Restarts with `wanted` unless that is its model already. Returns whether it did.
+    fn restart_for(&mut self, wanted: Option<Model>) -> bool {
         let current = match self {
             Self::None => None,
             Self::Running(model, _) | Self::Done(model, _) => Some(*model),
@@ -47,7 +47,7 @@ impl Simulation {
         true
     }
 
-    /// Goes on for one frame. Returns whether there was anything to do.
+    /// Runs for one frame. Returns whether there was anything to do.
     fn advance(&mut self) -> bool {
         let Self::Running(model, running) = self else { return false };
         running.draw(DRAWS_IN_A_FRAME);
@@ -59,15 +59,15 @@ impl Simulation {
 }
 
 impl Simulations {
-    /// Goes on for one frame with what `assessment` needs. Returns whether another frame is wanted.
+    /// Runs the simulations that `assessment` needs for one frame. Returns whether another frame is needed.
     pub fn advance(&mut self, assessment: &Assessment) -> bool {
         let wanted = |method| {
             let known = assessment.solution.uncertainty(method)?;
             (!known.model.first_order_is_good()).then_some(known.model)
         };
-        let stereo = self.stereo.aim_at(wanted(Method::Stereo));
-        let monocular = self.monocular.aim_at(wanted(Method::Monocular));
-        // A frame in which something has changed has enough to do, and the others have time for one of the two.
+        let stereo = self.stereo.restart_for(wanted(Method::Stereo));
+        let monocular = self.monocular.restart_for(wanted(Method::Monocular));
+        // One step per frame: a restart comes with a changed input, whose frame is long already; then one simulation at a time.
         stereo || monocular || self.stereo.advance() || self.monocular.advance()
     }
 
@@ -79,7 +79,7 @@ impl Simulations {
     }
 }
 
-/// Draws the cards of what is known with σ; nothing where no σ was given.
+/// Draws the cards of each method whose distance has a σ.
 pub fn ui(ui: &mut Ui, cx: &AppContext<'_>, simulations: &Simulations) {
     let (columns, gap, unit) = (cx.layout.columns(), cx.layout.gap(), cx.unit());
     let solution = &cx.session.assessment().solution;
@@ -126,7 +126,7 @@ const fn simulation_title(method: Method) -> &'static str {
     }
 }
 
-/// The colour of a source of variance: the two lengths of the formula and the pixels of each method stay apart.
+/// The color of a source of variance: the two lengths of the formula and the pixels of each method stay apart.
 fn color_of(ui: &Ui, field: Field) -> Color32 {
     let palette = theme::palette(ui);
     match field {

@@ -1,4 +1,5 @@
-//! The Learn text as blocks, drawn with the program's own type and roles. `build.rs` makes them from `assets/learn.md`.
+//! The Learn text as blocks, drawn in the program's own fonts and with accessible roles. `build.rs` makes the blocks from
+//! `assets/learn.md`.
 
 use crate::app::theme;
 use crate::app::widgets::table::{Cell, row, table};
@@ -10,7 +11,7 @@ use egui::{Button, FontId, RichText, Stroke, Ui, UiBuilder, vec2};
 /// The text.
 pub const DOCUMENT: &[Block] = include!(concat!(env!("OUT_DIR"), "/learn.rs"));
 
-/// A piece of the text that stands for itself.
+/// A block element of Markdown.
 #[derive(Debug)]
 pub enum Block {
     /// The level, 1 for the title, and the words.
@@ -30,7 +31,7 @@ pub enum Block {
     },
 }
 
-/// Words that look the same and lead to the same place.
+/// Text of one style and with one link target.
 #[derive(Debug)]
 pub struct Span {
     pub text: &'static str,
@@ -45,8 +46,7 @@ pub struct Style {
     pub code: bool,
 }
 
-/// Draws `blocks`. Returns the target of a link that was followed to within the program (`#…`); links to elsewhere are opened
-/// by egui.
+/// Draws `blocks`. Returns the target of a clicked link that stays within the program (`#…`); other links are opened by egui.
 pub fn ui(ui: &mut Ui, blocks: &[Block], target_height: f32) -> Option<&'static str> {
     let mut followed = None;
     blocks_ui(ui, blocks, target_height, &mut followed);
@@ -165,7 +165,7 @@ fn paragraph_ui(ui: &mut Ui, spans: &[Span], target_height: f32, followed: &mut 
         },
     ] = spans
     {
-        // A paragraph that is nothing but a link asks to be pressed.
+        // A paragraph that is a link only is drawn as a button.
         let button = Button::new(RichText::new(*text).color(palette.on_blue))
             .fill(palette.blue)
             .stroke(Stroke::NONE);
@@ -226,7 +226,7 @@ fn table_ui(ui: &mut Ui, header: &[&[Span]], rows: &[&[&[Span]]]) {
         .map(|column| {
             let lengths = std::iter::once(header).chain(rows.iter().copied());
             let longest = lengths.filter_map(|row| Some(plain(row.get(column)?).chars().count())).max();
-            // A column gets room by what it holds, but neither all nor nothing.
+            // Columns are as wide as their longest text, within limits.
             f32::from(u8::try_from(longest.unwrap_or(1).clamp(8, 44)).unwrap_or(u8::MAX))
         })
         .collect();

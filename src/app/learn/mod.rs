@@ -2,7 +2,6 @@
 
 mod document;
 
-use super::about;
 use super::command::Command;
 use super::context::AppContext;
 use super::dialog::Dialog;
@@ -21,8 +20,9 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
                 theme::card(theme::palette(ui)).show(ui, |ui| {
                     ui.set_width(ui.available_width());
                     followed = document::ui(ui, DOCUMENT, cx.layout.control_height());
-                    if text::link_button(ui, about::NAME, cx.layout).clicked() {
-                        cx.commands.push(Command::ShowDialog(Some(Dialog::About)));
+                    let about = Command::ShowDialog(Some(Dialog::About));
+                    if text::link_button(ui, about.text(), cx.layout).clicked() {
+                        cx.commands.push(about);
                     }
                 });
                 ui.add_space(cx.layout.gap());
@@ -73,7 +73,7 @@ mod tests {
         words_of(DOCUMENT, &mut said);
         let mut expected = String::new();
         for line in TEXT.lines().filter(|line| !line.starts_with("```")) {
-            // What Markdown means by signs: the number of an item, the target of a link.
+            // Strip the Markdown syntax: the number of an item, the target of a link.
             let item = line.trim_start();
             let text = item.trim_start_matches(|c: char| c.is_ascii_digit());
             let mut rest = if text.starts_with(". ") { text } else { item };
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn every_topic_of_the_page_is_there() {
+    fn every_topic_is_there() {
         for topic in [
             "Who it is for",
             "Common misconceptions",

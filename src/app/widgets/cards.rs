@@ -21,7 +21,7 @@ pub fn card(ui: &mut Ui, title: &str, add_contents: impl FnOnce(&mut Ui)) {
 }
 
 /// A row of cells of equal width and height. `add_cell` draws one of `cells` in a `Ui` of its width and may use
-/// [`fill_height`] at the end of its card to reach the height of its tallest neighbour.
+/// [`fill_height`] at the end of its card to reach the height of its tallest neighbor.
 pub fn row<T>(ui: &mut Ui, cells: &[T], gap: f32, mut add_cell: impl FnMut(&mut Ui, &T)) {
     let count = f32::from(u16::try_from(cells.len()).unwrap_or(u16::MAX).max(1));
     let width = ((ui.available_width() - gap * (count - 1.0)) / count).floor();

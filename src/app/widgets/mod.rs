@@ -1,4 +1,4 @@
-//! Pieces that two screens share.
+//! Widgets that two screens share.
 
 pub mod bottom_bar;
 pub mod cards;

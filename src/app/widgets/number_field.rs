@@ -18,7 +18,7 @@ pub enum Unit<'a> {
     Choice(&'a mut LengthUnit),
 }
 
-/// A field with its surroundings.
+/// A field with its name, unit, hint and error.
 #[derive(Debug)]
 pub struct NumberField<'a> {
     /// The name above it.
@@ -107,7 +107,7 @@ impl NumberField<'_> {
     fn sigma_ui(&mut self, ui: &mut Ui) -> Option<Response> {
         let palette = theme::palette(ui);
         let sigma = self.sigma.as_deref_mut()?;
-        // No number keyboard: on most phones it has no "%".
+        // Not `Role::NumberInput`: the number keyboard of most phones has no "%".
         let output = text_edit(sigma)
             .id(ui.scope_id().with(("uncertainty", self.name)))
             .prefix(RichText::new("±").color(palette.muted))

@@ -1,10 +1,10 @@
-//! What pictures share: a name and a description for those who do not see them, and an explanation while they are empty.
+//! What pictures share: an accessible name and description, and an explanation while they are empty.
 
 use crate::app::theme;
 use egui::accesskit::Role;
-use egui::{Align2, Response, Sense, Ui, vec2};
+use egui::{Align2, Response, Sense, Stroke, StrokeKind, Ui, vec2};
 
-/// Names a picture and says in words what it shows.
+/// Makes `response` an image with a name and a description in words.
 pub fn describe(ui: &Ui, response: &Response, name: &str, description: &str) {
     ui.accesskit_node_builder(response.id, |node| {
         node.set_role(Role::Image);
@@ -13,17 +13,12 @@ pub fn describe(ui: &Ui, response: &Response, name: &str, description: &str) {
     });
 }
 
-/// The space of a picture that has nothing to show yet, with a sentence that says what it will show and from what.
+/// A frame in place of a picture that has nothing to show yet, with a sentence that says what it will show.
 pub fn empty(ui: &mut Ui, name: &str, explanation: &str) {
     let palette = theme::palette(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::PICTURE_HEIGHT), Sense::hover());
-    ui.painter().rect(
-        rect,
-        theme::CONTROL_RADIUS,
-        egui::Color32::TRANSPARENT,
-        egui::Stroke::new(1.0, palette.line),
-        egui::StrokeKind::Inside,
-    );
+    let line = Stroke::new(1.0, palette.line);
+    ui.painter().rect_stroke(rect, theme::CONTROL_RADIUS, line, StrokeKind::Inside);
     let mut job = egui::text::LayoutJob::simple(
         explanation.to_owned(),
         theme::regular(theme::SMALL_SIZE),

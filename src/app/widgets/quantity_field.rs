@@ -1,6 +1,6 @@
 //! A field for one quantity: name, text, unit, hint, and what is wrong with it.
 
-use crate::app::command::{Command, Helper};
+use crate::app::command::{Command, Helper, Scope};
 use crate::app::theme::{self, SIGMA_WIDTH, UNIT_WIDTH};
 use crate::core::disparity::MATCHING_ERRORS;
 use crate::core::problem::Field;
@@ -32,8 +32,8 @@ pub struct Annotations<'a> {
     pub value_note: Option<&'a Note>,
     /// What is to be said about its σ.
     pub sigma_note: Option<&'a Note>,
-    /// The helper that knows where such numbers come from, and what its link says.
-    pub helper: Option<(Helper, &'static str)>,
+    /// The helper that knows where such numbers come from.
+    pub helper: Option<Helper>,
     /// Set where the field is what is solved for: it shows the solution and takes no text.
     pub computed: Option<&'a Unknown>,
 }
@@ -98,11 +98,12 @@ impl QuantityField<'_> {
                     .font(theme::strong(theme::BODY_SIZE))
                     .color(palette.text),
             );
-            if let Some((helper, link)) = self.annotations.helper {
+            if let Some(helper) = self.annotations.helper {
+                let open = Command::Help(Some(helper));
                 ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| {
-                    let link = Button::new(RichText::new(link).size(theme::SMALL_SIZE).color(palette.blue)).frame(false);
+                    let link = Button::new(RichText::new(open.text()).size(theme::SMALL_SIZE).color(palette.blue)).frame(false);
                     if ui.add(link.min_size(vec2(0.0, line_height))).clicked() {
-                        self.commands.push(Command::Help(Some(helper)));
+                        self.commands.push(open);
                     }
                 });
             }
@@ -136,7 +137,7 @@ impl QuantityField<'_> {
             .inner;
         let response = output.response.response.labelled_by(name.id);
         ui.accesskit_node_builder(id, |node| {
-            // A number with a unit is typed as text, but assistive technology and phones should know that it is a number.
+            // A text field to egui, as a unit may be typed; a number to assistive technology and to the keyboards of phones.
             node.set_role(Role::NumberInput);
             let unit = if self.inputs.unit(self.field).is_none() {
                 " In pixels."
@@ -151,7 +152,7 @@ impl QuantityField<'_> {
                 node.set_numeric_value(value);
             }
         });
-        // As in a form of the browser: arriving by keyboard selects, so that typing replaces.
+        // As in a browser's form: Tab selects the text, so that typing replaces it.
         if response.gained_focus() && ui.input(|input| input.key_pressed(Key::Tab)) {
             let mut state = output.state;
             let characters = self.inputs.entry(self.field).text.chars().count();
@@ -180,7 +181,7 @@ impl QuantityField<'_> {
         if steps != 0 {
             self.inputs.step(self.field, steps);
         }
-        if ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter)) {
+        if ui.input_mut(|input| Command::Calculate.take_keys(input, &[Scope::Field])) {
             self.inputs.tidy(self.field);
             self.commands.push(Command::Calculate);
         }
@@ -212,14 +213,14 @@ impl QuantityField<'_> {
         let palette = theme::palette(ui);
         let size = vec2(SIGMA_WIDTH, ui.spacing().interact_size.y);
         let id = sigma_id(self.field);
-        if ui.memory(|memory| memory.has_focus(id)) && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter)) {
+        if ui.memory(|memory| memory.has_focus(id)) && ui.input_mut(|input| Command::Calculate.take_keys(input, &[Scope::Field])) {
             self.commands.push(Command::Calculate);
         }
         let mut text = self.inputs.sigma(self.field).to_owned();
         let response = ui
             .scope(|ui| {
                 mark(ui, self.annotations.sigma_note);
-                // Not a number to phones: on most, the number keyboard has no "%".
+                // Not `Role::NumberInput`: the number keyboard of most phones has no "%".
                 TextEdit::singleline(&mut text)
                     .id(id)
                     .prefix(RichText::new("±").color(palette.muted))
@@ -276,7 +277,7 @@ fn computed_ui(ui: &mut Ui, inputs: &Inputs, unknown: &Unknown) {
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     ui.painter().rect_filled(rect, theme::CONTROL_RADIUS, palette.highlight);
     let words = report::unknown(unknown, inputs.unit(unknown.field));
-    // Not live: the result card says the same.
+    // Not a live region: the result card says the same.
     ui.put(
         rect.shrink2(vec2(10.0, 0.0)),
         egui::Label::new(RichText::new(words).font(theme::strong(theme::BODY_SIZE))),
@@ -306,7 +307,7 @@ pub fn length_unit_choice(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::Debu
         .show_ui(ui, |ui| {
             for choice in LengthUnit::ALL {
                 let name = format!("{}  ({})", choice.symbol(), choice.name());
-                // Closing is said, as egui closes by itself only for a pointer.
+                // Closed explicitly: egui does so only for a click of the pointer.
                 if ui.selectable_value(unit, choice, name).clicked() {
                     ui.close();
                 }

@@ -1,9 +1,9 @@
-//! Columns that scroll on their own and keep in view what has the focus.
+//! Scroll areas that keep the focused widget in view.
 
 use egui::{Id, ScrollArea, Ui};
 
-/// A column that scrolls. What has the focus is scrolled into view when the focus comes to it, and when the column becomes
-/// lower, as it does when the keyboard of a phone opens: egui does neither by itself.
+/// A column that scrolls. The focused widget is scrolled into view when it gets the focus, and when the column becomes lower, as when
+/// the keyboard of a phone opens: egui does neither by itself.
 pub fn column(ui: &mut Ui, id: &str, add_contents: impl FnOnce(&mut Ui)) {
     ScrollArea::vertical().id_salt(id).auto_shrink([false, false]).show(ui, |ui| {
         add_contents(ui);
@@ -11,7 +11,7 @@ pub fn column(ui: &mut Ui, id: &str, add_contents: impl FnOnce(&mut Ui)) {
     });
 }
 
-/// What scrolls when it would be higher than `height`, and keeps in view what has the focus.
+/// A scroll area at most `height` points high, which keeps the focused widget in view.
 pub fn up_to(ui: &mut Ui, height: f32, add_contents: impl FnOnce(&mut Ui)) {
     ScrollArea::vertical().max_height(height).show(ui, |ui| {
         add_contents(ui);
@@ -19,7 +19,7 @@ pub fn up_to(ui: &mut Ui, height: f32, add_contents: impl FnOnce(&mut Ui)) {
     });
 }
 
-/// What had the focus in the frame before, and what could be seen of the column.
+/// The focused widget and the visible height of the column in the last frame.
 #[derive(Clone, Copy, Default)]
 struct Before {
     focused: Option<Id>,

@@ -1,4 +1,4 @@
-//! Tables that are tables to assistive technology too: rows and cells with roles, under a named table.
+//! Tables with accessible roles: a named table, rows and cells.
 
 use crate::app::theme;
 use egui::accesskit::Role;
@@ -12,7 +12,7 @@ pub struct Cell {
     pub text: LayoutJob,
     /// `Role::Cell`, `Role::RowHeader` or `Role::ColumnHeader`.
     pub role: Role,
-    /// Numbers stand at the right, so that they can be compared.
+    /// Numbers are aligned at the right, so that they can be compared.
     pub align_right: bool,
 }
 

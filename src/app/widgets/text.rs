@@ -1,4 +1,4 @@
-//! Text with a meaning: headings, captions, and their roles for assistive technology.
+//! Headings, captions, notes and badges, with their accessible roles.
 
 use crate::app::theme::{self, Palette};
 use crate::formats::inputs::Severity;
@@ -28,12 +28,12 @@ pub fn caption(ui: &mut Ui, text: impl Into<String>) -> Response {
     ui.label(RichText::new(text).size(theme::SMALL_SIZE).color(muted))
 }
 
-/// Has `response` announced when its text changes, without interrupting.
+/// Makes `response` a polite live region: a screen reader announces it when its text changes.
 pub fn announce(ui: &Ui, response: &Response) {
     ui.accesskit_node_builder(response.id, |node| node.set_live(Live::Polite));
 }
 
-/// What is wrong, or remarkable, with the field `about`, below it: said when it appears, and to whoever comes to the field.
+/// An error or a warning below the field `about`: a live region, and the description of that field.
 pub fn note(ui: &mut Ui, severity: Severity, sentence: &str, about: Option<Id>) -> Response {
     let palette = theme::palette(ui);
     let color = match severity {
@@ -53,26 +53,26 @@ pub fn note(ui: &mut Ui, severity: Severity, sentence: &str, about: Option<Id>) 
     said
 }
 
-/// A unit as it is said: symbols are for the eye.
+/// The word that a screen reader should say for the symbol of a unit.
 pub fn spoken_unit(symbol: &str) -> &str {
     match symbol {
         "px" => "pixels",
-        "mm" => "millimetres",
-        "µm" => "micrometres",
-        "m" => "metres",
+        "mm" => "millimeters",
+        "µm" => "micrometers",
+        "m" => "meters",
         "°" => "degrees",
         other => other,
     }
 }
 
-/// A button that looks like a link, for what is offered beside the main thing.
+/// A button that looks like a link, for secondary actions.
 pub fn link_button(ui: &mut Ui, name: &str, layout: theme::Layout) -> Response {
     let blue = theme::palette(ui).blue;
     let link = egui::Button::new(RichText::new(name).size(theme::SMALL_SIZE).underline().color(blue)).frame(false);
     ui.add(link.min_size(egui::vec2(0.0, layout.inline_control_height())))
 }
 
-/// A small rounded label in the colour of a method.
+/// A small rounded label in the color of a method.
 pub fn badge(ui: &mut Ui, text: &str, front: egui::Color32, back: egui::Color32) -> Response {
     egui::Frame::new()
         .fill(back)
@@ -84,7 +84,7 @@ pub fn badge(ui: &mut Ui, text: &str, front: egui::Color32, back: egui::Color32)
         .inner
 }
 
-/// The text and background colour of a method's badge.
+/// The text and background color of a method's badge.
 pub const fn badge_colors(palette: &Palette, method: crate::core::problem::Method) -> (egui::Color32, egui::Color32) {
     match method {
         crate::core::problem::Method::Stereo => (palette.blue, palette.blue_tint),

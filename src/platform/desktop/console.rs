@@ -1,7 +1,7 @@
-//! The console that Windows opens for a program that can answer in one.
+//! The console window that Windows opens for a console program.
 //!
-//! The program is one of the console, so that shells wait for what `calculate` answers. From Windows 11 24H2 on its manifest
-//! says that it needs none of its own. An older Windows opens one at a double click, and the window must not keep it open.
+//! The program is built for the console subsystem, so that shells wait for the output of `calculate`. From Windows 11 24H2 on its
+//! manifest prevents a console of its own. An older Windows opens one at a double click, and it must not stay open beside the window.
 
 use std::io::IsTerminal as _;
 use std::os::windows::process::CommandExt as _;
@@ -11,7 +11,7 @@ use std::process::{Command, Stdio};
 pub fn leave() -> bool {
     /// <https://learn.microsoft.com/windows/win32/procthread/process-creation-flags>
     const DETACHED_PROCESS: u32 = 0x0000_0008;
-    // What is written to a file or to another program goes on to be.
+    // Redirected output stays redirected.
     if !(std::io::stdout().is_terminal() && std::io::stderr().is_terminal()) {
         return false;
     }

@@ -10,15 +10,15 @@ use winit::error::EventLoopError;
 /// What keeps the window from opening, or what has ended it.
 #[derive(Debug, PartialEq, Eq)]
 pub enum Failure {
-    /// Nothing says where a window could be.
+    /// No environment variable names a display.
     NoDisplay,
-    /// What the variable names does not answer, or what is needed to ask it is missing.
+    /// The display that the variable names does not answer.
     SilentDisplay {
         variable: &'static str,
         display: String,
         reason: String,
     },
-    /// A library that the display is asked through is not installed.
+    /// A client library of the display server is not installed.
     NoLibrary(String),
     /// The display offers no OpenGL, or no library of it is installed.
     NoOpenGl(String),
@@ -35,13 +35,13 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// What eframe says, in words. `environment` gives the value of an environment variable.
+    /// Classifies an error of eframe. `environment` gives the value of an environment variable.
     pub fn of(error: &eframe::Error, environment: impl Fn(&str) -> Option<String>) -> Self {
         let reason = |error: &dyn std::fmt::Display| without_place(&error.to_string());
         match error {
             eframe::Error::WinitEventLoop(EventLoopError::ExitFailure(_)) => Self::LostDisplay,
             eframe::Error::WinitEventLoop(error) => Self::of_display(reason(error), environment),
-            // The template that it was looked for with tells nobody anything.
+            // Without the configuration template that eframe adds.
             eframe::Error::NoGlutinConfigs(_, error) => Self::NoOpenGl(match reason(error).as_str() {
                 "not found" => "neither libGL nor libEGL can be loaded".to_owned(),
                 other => other.to_owned(),
@@ -59,7 +59,7 @@ impl Failure {
         }
     }
 
-    /// Only where displays are named by the environment can they be missing; there winit takes Wayland's first.
+    /// Where environment variables name the display, one may be unset or wrong; winit tries Wayland first.
     fn of_display(reason: String, environment: impl Fn(&str) -> Option<String>) -> Self {
         if !NAMES_DISPLAYS {
             return Self::NoWindow(reason);
@@ -74,7 +74,7 @@ impl Failure {
         }
     }
 
-    /// winit panics where it lacks some libraries.
+    /// Classifies a panic before there was a window: winit panics where some libraries are missing.
     fn before_window(reason: String) -> Self {
         if NAMES_DISPLAYS && is_of_library(&reason) {
             Self::NoLibrary(reason)
@@ -83,7 +83,7 @@ impl Failure {
         }
     }
 
-    /// The sentence, without a name before it.
+    /// The sentence, without the name of the program.
     pub fn sentence(&self) -> String {
         const TERMINAL: &str = "or compute on the terminal (depth-calculator calculate --help)";
         let driver = if NAMES_DISPLAYS {
@@ -124,27 +124,27 @@ impl Failure {
     }
 }
 
-/// Whether a program finds the display by environment variables: wherever X11 or Wayland is.
+/// Whether environment variables name the display, as with X11 and Wayland.
 const NAMES_DISPLAYS: bool = !cfg!(any(target_os = "windows", target_os = "macos"));
 
-/// Whether winit says, of whichever library, that it is missing.
+/// Whether `reason`, from winit, is that a library is missing.
 fn is_of_library(reason: &str) -> bool {
     reason.contains("could not be loaded") || reason.contains("shared libraries")
 }
 
-/// Runs the window, and says on stderr what goes wrong, panics too.
+/// Runs the window, and prints a failure, a panic included, to stderr.
 ///
 /// # Errors
-/// When it has been said.
-pub fn heard(run: impl FnOnce() -> eframe::Result, is_open: impl Fn() -> bool + Send + Sync + 'static) -> Result<(), Failure> {
+/// The failure, which has been printed.
+pub fn report_failures(run: impl FnOnce() -> eframe::Result, is_open: impl Fn() -> bool + Send + Sync + 'static) -> Result<(), Failure> {
     let panicked = Arc::new(Mutex::new(None));
     let noted = Arc::clone(&panicked);
     let usual = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
         let failure = of_panic(panic, is_open());
-        // At once: what is taken down afterwards may fail again, and that ends the program.
-        say(&failure);
-        // For whoever looks for the error.
+        // Before unwinding: a second panic while unwinding aborts the program.
+        print(&failure);
+        // For debugging.
         if env::var_os("RUST_BACKTRACE").is_some_and(|wish| wish != "0") {
             usual(panic);
         }
@@ -152,12 +152,12 @@ pub fn heard(run: impl FnOnce() -> eframe::Result, is_open: impl Fn() -> bool + 
             *noted = Some(failure);
         }
     }));
-    // Nothing that a panic may leave half done is used again.
+    // Unwind safe: nothing that the closure used is used again.
     let failure = match std::panic::catch_unwind(AssertUnwindSafe(run)) {
         Ok(Ok(())) => return Ok(()),
         Ok(Err(error)) => {
             let failure = Failure::of(&error, |variable| env::var(variable).ok());
-            say(&failure);
+            print(&failure);
             failure
         }
         Err(payload) => {
@@ -168,12 +168,12 @@ pub fn heard(run: impl FnOnce() -> eframe::Result, is_open: impl Fn() -> bool + 
     Err(failure)
 }
 
-fn say(failure: &Failure) {
+fn print(failure: &Failure) {
     eprintln!("depth-calculator: {}", failure.sentence());
 }
 
-/// Says it in a box with this title where nobody reads stderr, as after a double click: in the system's own, which needs no
-/// OpenGL, on Linux in that of zenity, where it is installed.
+/// Shows the failure in a message box with this title where stderr is not a terminal, as after a double click. The box is the
+/// system's own, which needs no OpenGL; on Linux it is that of zenity, where that is installed.
 pub fn show(failure: &Failure, title: &str) {
     if !std::io::stderr().is_terminal() && !matches!(failure, Failure::NoDisplay | Failure::SilentDisplay { .. } | Failure::LostDisplay) {
         rfd::MessageDialog::new()
@@ -196,7 +196,7 @@ fn of_panic(panic: &PanicHookInfo<'_>, is_open: bool) -> Failure {
     Failure::Stopped { reason, place }
 }
 
-/// What a panic says, as the inside of a sentence.
+/// The message of a panic, as part of a sentence.
 fn message(payload: &dyn Any) -> String {
     let text = payload
         .downcast_ref::<&str>()
@@ -292,18 +292,18 @@ mod tests {
     }
 
     #[test]
-    fn a_panic_is_told_with_its_place_or_as_a_window_that_does_not_open() {
-        let told = |is_open| heard(|| panic!("Out of luck."), move || is_open).unwrap_err();
+    fn a_panic_is_reported_with_its_place_or_as_a_window_that_does_not_open() {
+        let told = |is_open| report_failures(|| panic!("Out of luck."), move || is_open).unwrap_err();
         let stopped = told(true).sentence();
         let before = told(false);
-        // The hook of the other tests.
+        // Restores the hook for the other tests.
         drop(std::panic::take_hook());
         assert!(
             stopped.contains("(Out of luck, in src/platform/desktop/failure.rs at line "),
             "{stopped}"
         );
         assert_eq!(before, Failure::NoWindow("Out of luck".into()));
-        assert_eq!(heard(|| Ok(()), || true), Ok(()));
+        assert_eq!(report_failures(|| Ok(()), || true), Ok(()));
         drop(std::panic::take_hook());
     }
 

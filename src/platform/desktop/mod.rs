@@ -30,7 +30,7 @@ pub fn main() -> ExitCode {
     let window = egui::ViewportBuilder::default()
         .with_title(NAME)
         .with_app_id(ID)
-        .with_min_inner_size(placement::LEAST)
+        .with_min_inner_size(placement::MIN_SIZE)
         .with_icon(icon().unwrap_or_default());
     let options = eframe::NativeOptions {
         viewport: placement.apply(window),
@@ -42,14 +42,14 @@ pub fn main() -> ExitCode {
         let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
             let app = App::new(cc, Box::new(Desktop::default()));
             if let Some(window) = cc.winit_window() {
-                placement.settle(window);
+                placement.restore_position(window);
             }
             opened.store(true, Ordering::Relaxed);
             Box::new(PlacedApp::new(app, placement))
         };
         eframe::run_native(NAME, options, Box::new(move |cc| Ok(open(cc))))
     };
-    match failure::heard(run, move || is_open.load(Ordering::Relaxed)) {
+    match failure::report_failures(run, move || is_open.load(Ordering::Relaxed)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             failure::show(&failure, NAME);
@@ -110,7 +110,7 @@ impl Platform for Desktop {
     }
 
     fn commit(&self) -> Option<String> {
-        // Set by whoever builds a release.
+        // Set by the build of a release.
         option_env!("DEPTH_CALCULATOR_COMMIT")
             .filter(|commit| !commit.is_empty())
             .map(str::to_owned)

@@ -1,4 +1,4 @@
-//! Where the window was, and how large, from one start to the next.
+//! The position and size of the window, kept from one start to the next.
 
 use super::state;
 use crate::app::App;
@@ -10,9 +10,9 @@ use winit::dpi::PhysicalPosition;
 use winit::window::Window;
 
 /// The size at the first start, in points.
-const USUAL: Vec2 = vec2(1280.0, 900.0);
-/// Nothing fits into less.
-pub const LEAST: Vec2 = vec2(360.0, 480.0);
+const DEFAULT_SIZE: Vec2 = vec2(1280.0, 900.0);
+/// The smallest window that everything fits into.
+pub const MIN_SIZE: Vec2 = vec2(360.0, 480.0);
 
 /// What is remembered of a window.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -20,7 +20,8 @@ pub const LEAST: Vec2 = vec2(360.0, 480.0);
 pub struct Placement {
     /// Width and height without the frame, in points of the system, when it is not maximized.
     size: [f32; 2],
-    /// The upper left corner of its frame on the desktop, in pixels: points mean something else on every monitor. Wayland tells none.
+    /// The upper left corner of its frame on the desktop, in pixels, as the size of a point differs from monitor to monitor. `None` on
+    /// Wayland, which does not tell it.
     place: Option<[f32; 2]>,
     /// Pixels per point where it was.
     scale: f32,
@@ -30,7 +31,7 @@ pub struct Placement {
 impl Default for Placement {
     fn default() -> Self {
         Self {
-            size: USUAL.into(),
+            size: DEFAULT_SIZE.into(),
             place: None,
             scale: 1.0,
             maximized: false,
@@ -39,19 +40,19 @@ impl Default for Placement {
 }
 
 impl Placement {
-    /// What was stored as `text`; nothing where it is corrupt or not of any window.
+    /// Parses the stored text; `None` where it is corrupt or no possible window.
     fn from_text(text: &str) -> Option<Self> {
         let stored: Self = serde_json::from_str(text).ok()?;
         let is_far = |place: [f32; 2]| place.iter().any(|part| !part.is_finite() || part.abs() > 1e6);
         let is_of_a_window = (0.25..=16.0).contains(&stored.scale) && !stored.place.is_some_and(is_far);
-        let size = Vec2::from(stored.size).clamp(LEAST, Vec2::splat(16_000.0));
+        let size = Vec2::from(stored.size).clamp(MIN_SIZE, Vec2::splat(16_000.0));
         is_of_a_window.then_some(Self {
             size: size.into(),
             ..stored
         })
     }
 
-    /// What `window` becomes by it. eframe sees to it that it is not larger than the largest monitor.
+    /// Gives `window` this size and position. eframe limits the size to that of the largest monitor.
     pub fn apply(self, window: ViewportBuilder) -> ViewportBuilder {
         let window = window.with_inner_size(self.size).with_maximized(self.maximized);
         match self.place {
@@ -60,8 +61,8 @@ impl Placement {
         }
     }
 
-    /// Sees to it that a new window stands where it was, or where it can be taken hold of: a monitor may be gone.
-    pub fn settle(self, window: &Window) {
+    /// Moves a new window to where it was, or, if its monitor is gone, to where it can be reached.
+    pub fn restore_position(self, window: &Window) {
         let Some(place) = self.place else { return };
         let monitors: Vec<Rect> = window
             .primary_monitor()
@@ -75,15 +76,15 @@ impl Placement {
         let wanted = Rect::from_min_size(place.into(), Vec2::from(self.size) * self.scale);
         let move_to = |place: Pos2| window.set_outer_position(PhysicalPosition::new(place.x, place.y));
         match monitors.first() {
-            Some(monitor) if !can_be_taken_hold_of(wanted, &monitors) => move_to(monitor.min + Vec2::splat(40.0)),
-            // Windows has counted the points by the scale of another monitor.
+            Some(monitor) if !is_reachable(wanted, &monitors) => move_to(monitor.min + Vec2::splat(40.0)),
+            // Windows converts the position with the scale of another monitor.
             Some(_) if cfg!(target_os = "windows") && !self.maximized => move_to(wanted.min),
             _ => {}
         }
     }
 
-    /// What there is to remember now.
-    fn seen(self, window: &Window, info: &egui::ViewportInfo) -> Self {
+    /// The placement of `window` now.
+    fn observed(self, window: &Window, info: &egui::ViewportInfo) -> Self {
         let maximized = info.maximized.unwrap_or(false);
         if info.minimized == Some(true) || info.fullscreen == Some(true) {
             return self;
@@ -101,8 +102,8 @@ impl Placement {
     }
 }
 
-/// Whether enough of the upper edge of `window` is on one of `monitors` to drag it by.
-fn can_be_taken_hold_of(window: Rect, monitors: &[Rect]) -> bool {
+/// Whether enough of the title bar of `window` is on one of `monitors` to drag it by.
+fn is_reachable(window: Rect, monitors: &[Rect]) -> bool {
     let edge = Rect::from_min_size(window.min, vec2(window.width(), 30.0));
     monitors.iter().any(|monitor| {
         let visible = monitor.intersect(edge);
@@ -110,7 +111,7 @@ fn can_be_taken_hold_of(window: Rect, monitors: &[Rect]) -> bool {
     })
 }
 
-/// The file of the placement. Where it cannot be read or written, a window opens as the first time: that is not worth a word.
+/// The file of the placement. Errors are ignored: the window then opens as at the first start.
 fn file(folder: &Path) -> PathBuf {
     folder.join("window-v1.json")
 }
@@ -127,14 +128,14 @@ fn save(placement: Placement) {
     }
 }
 
-/// The application in its window, which remembers its place.
+/// The application in a window whose placement is kept.
 pub struct PlacedApp {
     app: App,
     now: Placement,
     stored: Placement,
-    /// When it was last looked whether there is something to store.
-    looked: Instant,
-    /// X11 does not maximize a window that is not shown yet: asked for again after the first frame.
+    /// When `now` last changed.
+    changed_at: Instant,
+    /// Frames since the start, while the window is still to be maximized: X11 ignores that before the window is shown.
     to_maximize: Option<u8>,
 }
 
@@ -145,13 +146,13 @@ impl PlacedApp {
             app,
             now: placement,
             stored: placement,
-            looked: Instant::now(),
+            changed_at: Instant::now(),
             to_maximize: placement.maximized.then_some(0),
         }
     }
 
-    /// While a window is dragged it changes with every frame: what is stored is where it comes to rest.
-    fn remember(&mut self, ctx: &egui::Context, window: &Window) {
+    /// Stores the placement once it has not changed for a second: it changes with every frame while the window is dragged.
+    fn track(&mut self, ctx: &egui::Context, window: &Window) {
         const REST: Duration = Duration::from_secs(1);
         let info = ctx.input(|input| input.viewport().clone());
         match self.to_maximize {
@@ -167,13 +168,13 @@ impl PlacedApp {
             }
             None => {}
         }
-        let seen = self.now.seen(window, &info);
+        let seen = self.now.observed(window, &info);
         if seen != self.now {
             self.now = seen;
-            self.looked = Instant::now();
+            self.changed_at = Instant::now();
         }
         if self.now != self.stored {
-            let rested = self.looked.elapsed();
+            let rested = self.changed_at.elapsed();
             if rested >= REST {
                 self.store();
             } else {
@@ -194,7 +195,7 @@ impl eframe::App for PlacedApp {
     fn logic(&mut self, ctx: &egui::Context, frame: &mut eframe::Frame) {
         self.app.logic(ctx, frame);
         if let Some(window) = frame.winit_window() {
-            self.remember(ctx, window);
+            self.track(ctx, window);
         }
     }
 
@@ -251,7 +252,7 @@ mod tests {
     #[test]
     fn a_size_is_kept_between_what_can_be_used_and_what_can_be_had() {
         for (stored, expected) in [
-            ("[1,2]", LEAST),
+            ("[1,2]", MIN_SIZE),
             ("[-5,700]", vec2(360.0, 700.0)),
             ("[1e30,700]", vec2(16_000.0, 700.0)),
         ] {
@@ -266,7 +267,7 @@ mod tests {
             Rect::from_min_size(pos2(0.0, 0.0), vec2(1920.0, 1080.0)),
             Rect::from_min_size(pos2(-1280.0, 0.0), vec2(1280.0, 1024.0)),
         ];
-        let reachable = |x, y| can_be_taken_hold_of(Rect::from_min_size(pos2(x, y), vec2(800.0, 600.0)), &monitors);
+        let reachable = |x, y| is_reachable(Rect::from_min_size(pos2(x, y), vec2(800.0, 600.0)), &monitors);
         assert!(reachable(10.0, 10.0));
         assert!(reachable(-1000.0, 100.0));
         assert!(reachable(1800.0, 1050.0));

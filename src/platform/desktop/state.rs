@@ -1,4 +1,4 @@
-//! What was entered, in a file of the user's configuration folder.
+//! The state, in a file of the user's configuration folder.
 
 use std::fs::{self, File};
 use std::io::{Error, ErrorKind};
@@ -14,10 +14,10 @@ pub fn folder() -> Result<PathBuf, String> {
         .ok_or_else(|| "There is no home folder to store anything in.".to_owned())
 }
 
-/// Puts `text` in the place of what is in `file`, whose folder is made where it is missing.
+/// Replaces the contents of `file` by `text`. Creates its folder where that is missing.
 ///
 /// # Errors
-/// What the system says. The file is then as it was.
+/// The error of the system. The file is then unchanged.
 pub fn replace(file: &Path, text: &str) -> Result<(), Error> {
     if let Some(folder) = file.parent() {
         fs::create_dir_all(folder)?;
@@ -28,7 +28,7 @@ pub fn replace(file: &Path, text: &str) -> Result<(), Error> {
     fs::rename(&beside, file)
 }
 
-/// The file of the state. Its name has the version of the form.
+/// The file of the state. Its name contains the version of the format.
 pub struct State {
     file: Result<PathBuf, String>,
 }
@@ -52,7 +52,7 @@ impl State {
     pub fn load(&self) -> Result<Option<String>, String> {
         let file = self.file()?;
         match fs::read(file) {
-            // What is not text is as corrupt as text that is not a state.
+            // Bytes that are not UTF-8 are treated as a corrupt state.
             Ok(bytes) => Ok(Some(String::from_utf8_lossy(&bytes).into_owned())),
             Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
             Err(error) => Err(format!("What was stored in {} cannot be read: {error}.", file.display())),
@@ -78,10 +78,10 @@ impl State {
         if matches!(fs::symlink_metadata(file), Err(error) if error.kind() == ErrorKind::NotFound) {
             return Ok(None);
         }
-        let moved = claim(file).and_then(|aside| match fs::rename(file, &aside) {
+        let moved = reserve_name(file).and_then(|aside| match fs::rename(file, &aside) {
             Ok(()) => Ok(aside),
             Err(error) => {
-                // Only the empty file that kept the name.
+                // The empty file that reserved the name.
                 fs::remove_file(&aside)?;
                 Err(error)
             }
@@ -93,8 +93,8 @@ impl State {
     }
 }
 
-/// Makes an empty file beside `file`, so that the name is nobody else's.
-fn claim(file: &Path) -> Result<PathBuf, Error> {
+/// Creates an empty file beside `file`, which reserves its name.
+fn reserve_name(file: &Path) -> Result<PathBuf, Error> {
     let endings = std::iter::once("old".to_owned()).chain((2_u32..).map(|number| format!("old-{number}")));
     for aside in endings.map(|ending| file.with_extension(ending)) {
         match File::create_new(&aside) {

@@ -1,4 +1,4 @@
-//! The browser as the machine that the program runs on.
+//! The platform in a browser: local storage, clipboard, the page's address and its system colors.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -7,7 +7,7 @@ use wasm_bindgen::{JsCast as _, JsValue};
 
 use crate::app::{Event, Licenses, Platform, SystemColors};
 
-/// Where the state is stored. The number is the version of the form; one origin may serve several programs.
+/// The key in local storage. The number is the version of the format; one origin may serve several programs.
 pub(super) const STORAGE_KEY: &str = "depth-calculator/v1";
 
 /// What has happened and the program has not taken yet. Clones share it, as the browser tells each listener on its own.
@@ -141,7 +141,7 @@ fn set_aside(storage: &web_sys::Storage) -> Result<Option<String>, JsValue> {
 
 fn clipboard() -> Result<web_sys::Clipboard, String> {
     let clipboard = web_sys::window().ok_or("There is no browser window.")?.navigator().clipboard();
-    // Typed as always there, but browsers leave it out of pages that did not arrive securely.
+    // `web-sys` has no type for it, but browsers leave it undefined on pages that are not a secure context.
     if clipboard.is_undefined() {
         return Err("This browser copies only from pages that arrive over https or from this computer: open the page that way.".to_owned());
     }
@@ -155,7 +155,7 @@ pub(super) fn link() -> Option<String> {
     if fragment.is_empty() {
         return None;
     }
-    // A reload must not undo what was typed since; this leaves no entry in the history.
+    // Removed from the address, so that a reload does not apply it again; `replace` adds no entry to the history.
     location.replace("#").ok()?;
     Some(fragment)
 }

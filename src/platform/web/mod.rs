@@ -15,11 +15,11 @@ use browser::{Browser, Inbox};
 
 /// Starts the program on `<canvas id="app">` and returns at once; the browser calls it from then on.
 ///
-/// Whatever fails, now or later, is shown in words in place of the canvas.
+/// Any failure, now or later, is shown in place of the canvas.
 pub fn main() {
-    // Only fails when a logger is installed already, and then there is one.
+    // Fails only when a logger is installed already.
     eframe::WebLogger::init(log::LevelFilter::Warn).ok();
-    // Before `WebRunner::new`, whose own hook calls the one that it finds.
+    // Before `WebRunner::new`, whose own hook calls the previous one.
     std::panic::set_hook(Box::new(|panic| {
         page::show_failure(
             "The program has stopped because of an error in it.",
@@ -82,7 +82,7 @@ fn copy_results(runner: &eframe::WebRunner, ctx: &egui::Context) -> bool {
 
 fn options() -> eframe::WebOptions {
     eframe::WebOptions {
-        // Ctrl and the wheel, or a pinch on a touch pad, enlarge the page as everywhere else in the browser.
+        // Ctrl and the wheel, or a pinch on a touch pad, zoom the page as usual.
         should_prevent_default: Box::new(|event| match event {
             egui::Event::MouseWheel { modifiers, .. } => !modifiers.ctrl,
             egui::Event::Zoom(_) => false,
@@ -92,7 +92,7 @@ fn options() -> eframe::WebOptions {
     }
 }
 
-/// Takes away the loading message when there is something to see.
+/// Hides the loading message after the first frame.
 #[derive(Default)]
 struct FirstFrame {
     drawn: bool,

@@ -13,20 +13,20 @@ pub(super) fn matches(query: &str) -> bool {
     list.is_some_and(|list| list.matches())
 }
 
-/// Uncovers the canvas, and marks the moment as `first-frame` for whoever measures the start.
+/// Hides the loading message, and sets the performance mark `first-frame`.
 pub(super) fn show_program() {
     if let Some(loading) = element("loading").and_then(|element| element.dyn_into::<web_sys::HtmlElement>().ok()) {
         loading.set_hidden(true);
     }
     if let Some(performance) = web_sys::window().and_then(|window| window.performance()) {
-        // A missing measurement disturbs nobody.
+        // The mark is for measurements only.
         performance.mark("first-frame").ok();
     }
 }
 
-/// Covers everything with what happened, what to do about it, and the details for a bug report.
+/// Covers the page with what happened, what to do about it, and the details for a bug report.
 ///
-/// `assets/web/start.js` does it, as it does with what goes wrong before the program runs and after it has stopped.
+/// `assets/web/start.js` draws it, as it does for failures before the program runs and after it has stopped.
 pub(super) fn show_failure(what: &str, todo: &str, detail: &str) {
     let event = web_sys::CustomEventInit::new();
     event.set_detail(
@@ -35,14 +35,14 @@ pub(super) fn show_failure(what: &str, todo: &str, detail: &str) {
             .into_iter()
             .collect::<js_sys::Array>(),
     );
-    // Not by way of anything that may be why the program has failed.
+    // An event on the global object, as anything else may be what has failed.
     let page: web_sys::EventTarget = js_sys::global().unchecked_into();
     if let Ok(event) = web_sys::CustomEvent::new_with_event_init_dict("program-failed", &event) {
         page.dispatch_event(&event).ok();
     }
 }
 
-/// Notes whether what was entered is stored, for what the page says when the program has failed.
+/// Tells the page whether the inputs are saved, for the message when the program has failed.
 pub(super) fn note_kept(kept: bool) {
     if let Some(fatal) = element("fatal") {
         fatal.set_attribute("data-kept", if kept { "yes" } else { "no" }).ok();

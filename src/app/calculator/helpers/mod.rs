@@ -1,4 +1,4 @@
-//! The dialogs that know where numbers come from: the choice of a way, its fields, and the button that takes the result.
+//! The helper dialogs, which compute an input from other numbers: the choice of a way, its fields, and the button that uses the result.
 
 mod q_matrix;
 
@@ -39,7 +39,7 @@ const fn ways(helper: Helper) -> &'static [Way] {
     }
 }
 
-/// The Q matrix stands beside the ways to a focal length, though it gives more than that.
+/// The Q matrix is listed with the ways to a focal length, though it gives more than that.
 const Q_MATRIX: &str = "A Q matrix of stereoRectify";
 
 /// Draws the helper over the screen.
@@ -49,6 +49,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper) {
         title: title(helper),
         max_width: 440.0,
     };
+    let cancel = Command::Help(None);
     let response = frame.show(ui, |ui| {
         ui.spacing_mut().interact_size.y = cx.layout.control_height();
         ui.add_space(2.0 * theme::STEP);
@@ -60,14 +61,14 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper) {
             }
         });
         ui.add_space(theme::STEP);
-        close_button(ui, "Cancel", cx.layout)
+        close_button(ui, cancel.text(), cx.layout)
     });
     if response.inner || response.should_close() {
-        cx.commands.push(Command::Help(None));
+        cx.commands.push(cancel);
     }
 }
 
-/// The way chosen among those of `helper`; `None` is the Q matrix.
+/// The choice among the ways of `helper`. Returns the chosen one; `None` is the Q matrix.
 fn way_choice_ui(ui: &mut Ui, helper: Helper, chosen_ways: &mut Ways) -> Option<&'static Way> {
     let named = |way: &'static Way| (way.key, way.name);
     let q_matrix = (helper == Helper::FocalLength).then_some((fields::Q_MATRIX.as_str(), Q_MATRIX));
