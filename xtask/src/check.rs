@@ -36,6 +36,17 @@ pub(crate) fn run_all() -> Result<(), String> {
         let page = ["--lib", "--bins", "--target", "wasm32-unknown-unknown"];
         run(cargo(&["clippy"]).args(PROGRAM).args(page).args(DENY))
     });
+    check("lints, the example of egui-mirror", &|| {
+        let example = [
+            "--locked",
+            "--package",
+            "egui-mirror",
+            "--examples",
+            "--target",
+            "wasm32-unknown-unknown",
+        ];
+        run(cargo(&["clippy"]).args(example).args(DENY))
+    });
     check("documentation", &|| {
         let doc = ["doc", "--locked", "--workspace", "--no-deps", "--document-private-items"];
         run(cargo(&doc).env("RUSTDOCFLAGS", "--deny warnings"))
