@@ -49,6 +49,14 @@ const CHECKS: &[Check] = &[
         },
     },
     Check {
+        name: "lints, the example of egui-mirror",
+        work: || {
+            tools::add_target()?;
+            let example = ["--locked", "--package", "egui-mirror", "--examples", "--target", WEB];
+            run(cargo(&["clippy"]).args(example).args(DENY))
+        },
+    },
+    Check {
         name: "documentation",
         work: || {
             let doc = ["doc", "--locked", "--workspace", "--no-deps", "--document-private-items"];

@@ -69,3 +69,10 @@ fn control(node: &mut Node, words: &str) {
     node.add_action(Action::Focus);
     node.add_action(Action::Click);
 }
+
+#[test]
+fn the_readme_shows_the_example_that_compiles() {
+    let example = include_str!("../../examples/hello/web.rs").replace("\r\n", "\n");
+    let readme = include_str!("../../README.md").replace("\r\n", "\n");
+    assert!(readme.contains(&format!("```rust,ignore\n{example}```\n")));
+}
