@@ -1,7 +1,7 @@
 //! The accessible page that the web program builds beside its canvas: all that egui says of each screen is in it.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, missing_docs, reason = "tests")]
 
-use depth_calculator::app::{App, Licenses, Platform};
+use depth_calculator::app::{App, Event, Licenses, Platform};
 use egui::accesskit::{Affine, Node, NodeId, Rect, Toggled, TreeUpdate};
 use egui::{Role, Vec2, vec2};
 use egui_kittest::Harness;
@@ -28,8 +28,8 @@ impl Platform for Machine {
         Ok(None)
     }
     fn copy(&mut self, _ctx: &egui::Context, _text: String) {}
-    fn copied(&mut self) -> Option<Result<(), String>> {
-        None
+    fn events(&mut self) -> Vec<Event> {
+        Vec::new()
     }
     fn commit(&self) -> Option<String> {
         None

@@ -82,14 +82,14 @@ impl Said {
         }
         if case.how == "results" {
             let solution = &assessment.solution;
-            if let Some(together) = &solution.together {
-                self.statement(&Statement::agreement(&together.agreement));
-                for suspect in &together.agreement.suspects {
+            if let Some(comparison) = &solution.comparison {
+                self.statement(&Statement::agreement(&comparison.agreement));
+                for suspect in &assessment.suspects() {
                     self.statement(&Statement::suspect(suspect));
                 }
             }
             self.statement(&Statement::widths(solution));
-            let is_poor = |method| solution.known(method).is_some_and(|known| !known.model.first_order_is_good());
+            let is_poor = |method| solution.uncertainty(method).is_some_and(|uncertainty| !uncertainty.model.first_order_is_good());
             if Method::ALL.into_iter().any(is_poor) {
                 for has_simulation in [true, false] {
                     self.statement(&Statement::FirstOrderIsPoor { has_simulation });

@@ -97,7 +97,7 @@ impl MethodBar {
             let end = |length: Length| (length.in_unit(unit) / top).min(2.0);
             let (near, far) = (end(interval.near), interval.far.map_or(2.0, end));
             let whisker = |points| {
-                let stroke = Stroke::new(1.5, palette.text);
+                let stroke = Stroke::new(theme::STRONG_LINE, palette.text);
                 Line::new("interval", PlotPoints::from(points)).stroke(stroke).allow_hover(false)
             };
             plot.line(whisker(vec![[x, near], [x, far]]));

@@ -237,7 +237,7 @@ fn paint_point(ui: &Ui, handle: &Response, frame: Rect, at: egui::Pos2, words: &
     let palette = theme::palette(ui);
     let held = handle.hovered() || handle.dragged() || handle.has_focus();
     let color = if held { palette.text } else { palette.blue };
-    ui.painter().circle(at, 7.0, palette.surface, Stroke::new(3.0, color));
+    ui.painter().circle(at, 7.0, palette.surface, Stroke::new(theme::THICK_LINE, color));
     label(ui, frame, at, words);
 }
 
@@ -255,7 +255,7 @@ fn label(ui: &Ui, frame: Rect, at: egui::Pos2, text: &str) {
     };
     let y = (at.y - 12.0 - galley.size().y).clamp(frame.top(), frame.bottom() - galley.size().y);
     let rect = Align2::LEFT_TOP.anchor_size(pos2(x, y), galley.size());
-    ui.painter().rect_filled(rect.expand(2.0), 3.0, palette.surface);
+    ui.painter().rect_filled(rect.expand(2.0), theme::MARK_RADIUS, palette.surface);
     ui.painter().galley(rect.min, galley, palette.text);
 }
 

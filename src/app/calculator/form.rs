@@ -88,7 +88,7 @@ fn buttons_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
             .color(palette.on_blue),
     )
     .fill(palette.blue)
-    .stroke(Stroke::new(1.0, palette.blue));
+    .stroke(Stroke::new(theme::THIN_LINE, palette.blue));
     if ui.add_sized(vec2(ui.available_width(), height), calculate).clicked() {
         cx.commands.push(Command::Calculate);
     }

@@ -168,7 +168,7 @@ impl Scene {
 }
 
 fn paint(painter: &Painter, palette: &Palette, model: &Model, scene: &Scene, unit: LengthUnit) {
-    let sight = Stroke::new(1.2, palette.blue);
+    let sight = Stroke::new(theme::SIGHT_LINE, palette.blue);
     let frame = scene.frame;
     // One camera sees the two edges of an object of known width; two cameras each see the point itself.
     let targets: Vec<Pos2> = match (&scene.edges, model.baseline_m) {
@@ -181,13 +181,13 @@ fn paint(painter: &Painter, palette: &Palette, model: &Model, scene: &Scene, uni
         }
     }
     if let Some(edges) = scene.edges {
-        painter.line_segment(edges, Stroke::new(3.0, palette.orange));
+        painter.line_segment(edges, Stroke::new(theme::THICK_LINE, palette.orange));
     }
     if let Some((near, far)) = model.interval_m {
         let x = scene.object.x;
         let y = |depth_m: f64| scene.object.y + to_f32((model.depth_m - depth_m) * scene.points_per_meter);
         let span = Rect::from_x_y_ranges(x - 5.0..=x + 5.0, far.map_or(frame.top(), y)..=y(near));
-        painter.rect_filled(span, 5.0, palette.blue.gamma_multiply(0.35));
+        painter.rect_filled(span, theme::SPAN_RADIUS, palette.blue.gamma_multiply(0.35));
     }
     painter.circle_filled(scene.object, 4.5, palette.blue);
     for &camera in &scene.cameras {
@@ -221,7 +221,7 @@ fn paint_inset(painter: &Painter, palette: &Palette, model: &Model, inset: &Inse
         inset.frame,
         theme::CONTROL_RADIUS,
         palette.surface,
-        Stroke::new(1.0, palette.line),
+        Stroke::new(theme::THIN_LINE, palette.line),
         egui::StrokeKind::Inside,
     );
     let [left, right] = inset.cameras;
@@ -231,7 +231,7 @@ fn paint_inset(painter: &Painter, palette: &Palette, model: &Model, inset: &Inse
     for (camera, side) in [(left, 1.0), (right, -1.0)] {
         painter.extend(Shape::dashed_line(
             &[camera, camera + vec2(side * lean * up, -up)],
-            Stroke::new(1.2, palette.blue),
+            Stroke::new(theme::SIGHT_LINE, palette.blue),
             4.0,
             3.0,
         ));
@@ -269,7 +269,7 @@ fn paint_scale(painter: &Painter, palette: &Palette, scene: &Scene, unit: Length
     }
     let end = pos2(frame.right() - 8.0, frame.bottom() - 8.0);
     let start = end - vec2(to_f32(length * points_per_unit), 0.0);
-    let stroke = Stroke::new(1.5, palette.muted);
+    let stroke = Stroke::new(theme::STRONG_LINE, palette.muted);
     painter.line_segment([start, end], stroke);
     for tip in [start, end] {
         painter.line_segment([tip, tip - vec2(0.0, 5.0)], stroke);
@@ -290,7 +290,7 @@ fn baseline_text(baseline_m: f64, unit: LengthUnit) -> String {
 
 fn camera_body(painter: &Painter, palette: &Palette, lens: Pos2) {
     let body = Rect::from_center_size(lens + vec2(0.0, 7.0), vec2(15.0, 9.0));
-    painter.rect_filled(body, 2.0, palette.blue);
+    painter.rect_filled(body, theme::SMALL_MARK_RADIUS, palette.blue);
     painter.add(Shape::convex_polygon(
         vec![lens - vec2(0.0, 1.0), lens + vec2(4.0, 4.0), lens + vec2(-4.0, 4.0)],
         palette.blue,
@@ -316,7 +316,7 @@ impl Label<'_> {
             (frame.bottom() - rect.bottom()).min(0.0),
         ));
         rect = rect.translate(vec2((frame.left() - rect.left()).max(0.0), (frame.top() - rect.top()).max(0.0)));
-        painter.rect_filled(rect.expand(1.0), 2.0, palette.surface);
+        painter.rect_filled(rect.expand(1.0), theme::SMALL_MARK_RADIUS, palette.surface);
         painter.galley(rect.min, galley, palette.text);
     }
 }

@@ -149,7 +149,8 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
         let part = Rect::from_min_size(pos2(x, rect.top()), vec2(width, BAR));
         ui.painter().rect_filled(part, 0.0, color_of(ui, share.source));
         x += width;
-        ui.painter().vline(x, rect.y_range(), egui::Stroke::new(1.5, palette.surface));
+        ui.painter()
+            .vline(x, rect.y_range(), egui::Stroke::new(theme::STRONG_LINE, palette.surface));
     }
     picture::describe(
         ui,
@@ -162,7 +163,7 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
         let line = vec2(ui.available_width(), 20.0);
         ui.allocate_ui_with_layout(line, egui::Layout::left_to_right(egui::Align::Center), |ui| {
             let (dot, _) = ui.allocate_exact_size(vec2(12.0, 12.0), Sense::hover());
-            ui.painter().rect_filled(dot, 3.0, color_of(ui, share.source));
+            ui.painter().rect_filled(dot, theme::MARK_RADIUS, color_of(ui, share.source));
             ui.label(format!("{} {}", report::short_name(share.source), report::percent(share.share)));
         });
     }
@@ -235,7 +236,7 @@ fn histogram_ui(ui: &mut Ui, method: Method, distribution: &Distribution, unit: 
         x += width;
     }
     ui.painter()
-        .hline(plot.x_range(), plot.bottom(), egui::Stroke::new(1.0, palette.line));
+        .hline(plot.x_range(), plot.bottom(), egui::Stroke::new(theme::THIN_LINE, palette.line));
     let label = |position, anchor, words: String| {
         ui.painter()
             .text(position, anchor, words, theme::regular(theme::SMALL_SIZE), palette.muted);
@@ -246,7 +247,8 @@ fn histogram_ui(ui: &mut Ui, method: Method, distribution: &Distribution, unit: 
         let span = shape.high.m() - shape.low.m();
         if span > 0.0 {
             let at = plot.left() + plot.width() * to_f32((median.m() - shape.low.m()) / span);
-            ui.painter().vline(at, plot.y_range(), egui::Stroke::new(1.5, palette.text));
+            ui.painter()
+                .vline(at, plot.y_range(), egui::Stroke::new(theme::STRONG_LINE, palette.text));
         }
     }
     picture::describe(

@@ -114,7 +114,7 @@ fn quote_ui(ui: &mut Ui, inside: &[Block], target_height: f32, followed: &mut Op
         })
         .response;
     let bar = egui::Rect::from_min_size(response.rect.min, vec2(3.0, response.rect.height()));
-    ui.painter().rect_filled(bar, 1.5, palette.orange);
+    ui.painter().rect_filled(bar, theme::QUOTE_BAR_RADIUS, palette.orange);
 }
 
 fn formula_ui(ui: &mut Ui, lines: &[&str]) {

@@ -39,6 +39,25 @@ pub const MENU_HEIGHT: f32 = 440.0;
 /// Inside a menu.
 pub const MENU_MARGIN: i8 = 6;
 
+/// Borders, and lines that only separate.
+pub const THIN_LINE: f32 = 1.0;
+/// Lines of sight.
+pub const SIGHT_LINE: f32 = 1.2;
+/// Whiskers, markers in pictures, and the border of what is wrong.
+pub const STRONG_LINE: f32 = 1.5;
+/// The object in a picture, and the ring around a point that can be moved.
+pub const THICK_LINE: f32 = 3.0;
+/// The corners of a badge.
+pub const BADGE_RADIUS: u8 = 10;
+/// The corners of the span in which the object may be.
+pub const SPAN_RADIUS: f32 = 5.0;
+/// The corners of a mark in a legend, and of what stands behind a label in a picture.
+pub const MARK_RADIUS: f32 = 3.0;
+/// The corners of the smallest things in a picture.
+pub const SMALL_MARK_RADIUS: f32 = 2.0;
+/// The corners of the bar beside a quotation.
+pub const QUOTE_BAR_RADIUS: f32 = 1.5;
+
 /// The number that answers the question.
 pub const RESULT_SIZE: f32 = 34.0;
 /// The unit behind it.

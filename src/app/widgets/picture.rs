@@ -17,7 +17,7 @@ pub fn describe(ui: &Ui, response: &Response, name: &str, description: &str) {
 pub fn empty(ui: &mut Ui, name: &str, explanation: &str) {
     let palette = theme::palette(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::PICTURE_HEIGHT), Sense::hover());
-    let line = Stroke::new(1.0, palette.line);
+    let line = Stroke::new(theme::THIN_LINE, palette.line);
     ui.painter().rect_stroke(rect, theme::CONTROL_RADIUS, line, StrokeKind::Inside);
     let mut job = egui::text::LayoutJob::simple(
         explanation.to_owned(),

@@ -192,7 +192,7 @@ impl QuantityField<'_> {
         let Some(mut unit) = self.inputs.unit(self.field) else {
             let size = vec2(UNIT_WIDTH, ui.spacing().interact_size.y);
             let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
-            let stroke = Stroke::new(1.0, palette.line);
+            let stroke = Stroke::new(theme::THIN_LINE, palette.line);
             ui.painter()
                 .rect_stroke(rect, theme::CONTROL_RADIUS, stroke, egui::StrokeKind::Inside);
             let at = rect.left_center() + vec2(11.0, 0.0);
@@ -294,8 +294,8 @@ fn mark(ui: &mut Ui, note: Option<&Note>) {
             Severity::Warning => palette.amber,
         };
         let widgets = &mut ui.visuals_mut().widgets;
-        widgets.inactive.bg_stroke = Stroke::new(1.5, color);
-        widgets.hovered.bg_stroke = Stroke::new(1.5, color);
+        widgets.inactive.bg_stroke = Stroke::new(theme::STRONG_LINE, color);
+        widgets.hovered.bg_stroke = Stroke::new(theme::STRONG_LINE, color);
     }
 }
 

@@ -55,5 +55,6 @@ pub fn row(ui: &mut Ui, cells: Vec<Cell>, shares: &[f32]) {
         row.new_child(UiBuilder::new().accessibility_role(role).max_rect(place))
             .add(Label::new(galley));
     }
-    ui.painter().hline(rect.x_range(), rect.bottom(), Stroke::new(1.0, palette.line));
+    ui.painter()
+        .hline(rect.x_range(), rect.bottom(), Stroke::new(theme::THIN_LINE, palette.line));
 }

@@ -76,7 +76,7 @@ pub fn link_button(ui: &mut Ui, name: &str, layout: theme::Layout) -> Response {
 pub fn badge(ui: &mut Ui, text: &str, front: egui::Color32, back: egui::Color32) -> Response {
     egui::Frame::new()
         .fill(back)
-        .corner_radius(10)
+        .corner_radius(theme::BADGE_RADIUS)
         .inner_margin(egui::Margin::symmetric(9, 2))
         .show(ui, |ui| {
             ui.label(RichText::new(text).font(theme::strong(theme::SMALL_SIZE)).color(front))

@@ -6,8 +6,10 @@ use crate::step::root;
 
 /// Every crate of the workspace, and which of the others it may use, for itself, its tests and its build.
 const MAY_USE: &[(&str, &[&str])] = &[
-    ("depth-core", &[]),
-    ("depth-text", &["depth-core"]),
+    // Random numbers and problems for the tests of the two below, which use it there only.
+    ("depth-generators", &["depth-core"]),
+    ("depth-core", &["depth-generators"]),
+    ("depth-text", &["depth-core", "depth-generators"]),
     ("depth-files", &["depth-core"]),
     ("depth-vision", &["depth-core"]),
     ("depth-jobs", &["depth-core", "depth-files", "depth-vision"]),
