@@ -35,7 +35,7 @@ fn a_typed_unit_switches_the_unit_beside_the_field() {
 fn changing_the_unit_by_hand_keeps_the_number() {
     let mut program = Program::new();
     program.mug();
-    program.choose("Unit of Camera baseline (b)", "centimetres");
+    program.choose("Unit of Camera baseline (b)", "centimeters");
     assert_eq!(program.value(B), "100");
     assert!(program.says("14.00 m"));
 }

@@ -29,10 +29,10 @@ fn both_results_are_shown_as_soon_as_both_can_be_had() {
 }
 
 #[test]
-fn the_unit_of_the_result_can_be_chosen_and_the_table_stays_in_metres() {
+fn the_unit_of_the_result_can_be_chosen_and_the_table_stays_in_meters() {
     let mut program = Program::new();
     program.mug();
-    program.choose("Unit of the results", "millimetres");
+    program.choose("Unit of the results", "millimeters");
     assert!(program.says("1400 mm"));
     assert!(program.says("1373 … 1429 mm"));
     let row = program

@@ -114,6 +114,10 @@ fn fields_ui(ui: &mut Ui, entries: &mut Entries, keys: &[Key]) {
             signed: unit == "°",
             sigma: key.has_sigma.then_some(sigma),
         };
-        ui.push_id(key.as_str(), |ui| field.ui(ui, text));
+        if key.has_sigma {
+            field.ui(ui, text);
+        } else {
+            ui.push_id(key.as_str(), |ui| field.ui(ui, text));
+        }
     }
 }
