@@ -6,7 +6,7 @@
 
 use depth_calculator::app::{App, Licenses, Platform};
 use depth_calculator::core::problem::Field;
-use depth_calculator::formats::inputs::{Example, Inputs};
+use depth_text::form::{Example, Inputs};
 use divan::Bencher;
 use eframe::App as _;
 use egui::accesskit::{Action, ActionRequest, Node, NodeId, Role, TreeId};

@@ -6,16 +6,17 @@
 //!
 //! | module | what |
 //! |---|---|
-//! | [`core`] | the mathematics: quantities with their unit in the type, and pure functions, every formula with its source |
-//! | [`formats`] | what people type and read: numbers, inputs and what is wrong with them, links, the report |
+//! | [`core`], the crate `depth-core` | the mathematics: quantities with their unit in the type, and pure functions, every formula with its source |
+//! | [`depth_text`] | what people type and read: numbers, fields and what is wrong with them, links, the report |
+//! | `egui_mirror` | an accessible page beside an egui canvas; knows nothing of this program |
 //! | `app` | the egui application, the same in a browser, in a window and under test |
 //! | `cli` | the command line, one subcommand a file; builds without `app` |
 //! | `platform` | the entry points of the web page and the desktop program, and what only one of them has |
 //!
 //! # How data flows
 //!
-//! What a person types is [`Inputs`](formats::inputs::Inputs). [`Inputs::assess`](formats::inputs::Inputs::assess) reads it once, into
-//! an [`Assessment`](formats::inputs::Assessment): a note for each field that needs one, and the
+//! What a person types is [`Inputs`](depth_text::form::Inputs). [`Inputs::assess`](depth_text::form::Inputs::assess) reads it once, into
+//! an [`Assessment`](depth_text::assess::Assessment): a note for each field that needs one, and the
 //! [`Solution`](core::problem::Solution) of the [`Problem`](core::problem::Problem). Pictures, text and the report are made from that.
 //!
 //! # A frame of the application
@@ -29,7 +30,8 @@
 //! | what | where |
 //! |---|---|
 //! | a formula | [`core`], with its source and a golden test |
-//! | what is said about an input | [`formats::inputs`] |
+//! | what is said about an input | [`depth_text::sentences`], and a case in `tests/sentences/` |
+//! | a field | a row of [`depth_text::fields`]: form, link, report, command line and stored state have it then |
 //! | a button, a menu entry, a key | `app/command.rs` for its text and its keys, `app/logic.rs` for what it does |
 //! | a dialog | `app/dialog.rs`, and a file like `app/about.rs` |
 //! | a picture | a file like `app/calculator/top_view.rs`: a pure model, a pure layout, painting; charts by `app/widgets/plot.rs` |
@@ -61,4 +63,3 @@ pub mod cli;
 pub mod platform;
 
 pub use depth_core as core;
-pub use depth_text as formats;

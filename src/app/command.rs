@@ -5,8 +5,9 @@ use super::dialog::Dialog;
 use super::saved::Screen;
 use crate::core::problem::Field;
 use crate::core::quantity::{LengthUnit, Pixels};
-use crate::formats::field::Key as FieldKey;
-use crate::formats::inputs::{Entry, Inputs};
+use depth_text::entry::Entry;
+use depth_text::field::Key as FieldKey;
+use depth_text::form::Inputs;
 use egui::{Event, InputState, Key, KeyboardShortcut, ModifierNames, Modifiers, ThemePreference};
 
 /// A dialog of the calculator that knows where a number comes from.

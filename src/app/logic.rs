@@ -8,12 +8,13 @@ use super::notice::Notice;
 use super::platform::Event;
 use super::saved::{Saved, Screen};
 use super::theme::{self, Layout};
-use super::widgets::quantity_field;
+use super::widgets::field;
 use crate::core::problem::Field;
-use crate::formats::export::{Exporter as _, Results, Text};
-use crate::formats::field::Key;
-use crate::formats::inputs::{Entry, Inputs};
-use crate::formats::{geometry, link, number};
+use depth_text::entry::Entry;
+use depth_text::export::{Exporter as _, Results, Text};
+use depth_text::field::Key;
+use depth_text::form::Inputs;
+use depth_text::{fields, geometry, link, number};
 
 impl App {
     /// Runs the logic.
@@ -138,11 +139,17 @@ impl App {
     }
 
     fn fix(&mut self, ctx: &egui::Context, key: Key, entry: Entry) {
-        let inputs = &mut self.session.inputs;
-        inputs.fill(key, entry);
-        inputs.tidy(key);
-        self.calculator.helper = None;
-        ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(key)));
+        // Fields outside the form stay where they are typed into.
+        let is_of_form = key.section.is_some() || key == fields::DISTANCE;
+        let entries = if is_of_form {
+            self.calculator.helper = None;
+            &mut self.session.inputs.entries
+        } else {
+            &mut self.settings.entries
+        };
+        entries.fill(key, entry);
+        entries.entry_mut(key).tidy(key);
+        ctx.memory_mut(|memory| memory.request_focus(field::id(key)));
     }
 
     fn say(&mut self, text: &str, action: Option<Command>) {

@@ -30,7 +30,7 @@ pub use platform::{COPY_RESULTS, Event, Licenses, Platform};
 use saved::{Saved, Screen, Settings};
 use session::Session;
 pub use theme::SystemColors;
-use widgets::quantity_field;
+use widgets::field;
 
 /// The application.
 pub struct App {
@@ -90,7 +90,7 @@ impl App {
     fn focus_first_field(&self, ctx: &egui::Context) {
         let touch = ctx.input(|input| input.any_touches());
         if self.session.inputs.is_blank() && self.settings.screen == Screen::Calculator && !touch && ctx.content_rect().width() > 720.0 {
-            ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(Field::FocalLength)));
+            ctx.memory_mut(|memory| memory.request_focus(field::id(Field::FocalLength)));
         }
     }
 

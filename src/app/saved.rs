@@ -1,9 +1,9 @@
 //! The state that survives a reload and a restart, and its text form.
 
 use crate::core::quantity::LengthUnit;
-use crate::formats::entry::Entries;
-use crate::formats::inputs::Inputs;
-use crate::formats::version1;
+use depth_text::entry::Entries;
+use depth_text::form::Inputs;
+use depth_text::version1;
 use egui::ThemePreference;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -198,9 +198,10 @@ impl From<Stored> for Saved {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::formats::field::Key;
-    use crate::formats::fields;
-    use crate::formats::inputs::{Entry, Example};
+    use depth_text::entry::Entry;
+    use depth_text::field::Key;
+    use depth_text::fields;
+    use depth_text::form::Example;
 
     fn entries(typed: &[(Key, &str, &str)]) -> Entries {
         let mut entries = Entries::default();

@@ -1,6 +1,7 @@
 //! What is typed, what follows from it, and the states before, for undo and redo.
 
-use crate::formats::inputs::{Assessment, Inputs};
+use depth_text::assess::Assessment;
+use depth_text::form::Inputs;
 use egui::util::undoer::{Settings, Undoer};
 
 /// Steps of undo: nobody goes back further.

@@ -5,12 +5,12 @@ use super::reply::Reply;
 use super::warning::Warning;
 use super::{json, text};
 use crate::core::problem::{Method, Outcome, Solution};
-use crate::formats::entry::Entry;
-use crate::formats::field::Key;
-use crate::formats::fields;
-use crate::formats::form::Inputs;
-use crate::formats::note::{Part, Severity};
-use crate::formats::sentences::CommandLine;
+use depth_text::entry::Entry;
+use depth_text::field::Key;
+use depth_text::fields;
+use depth_text::form::Inputs;
+use depth_text::note::{Part, Severity};
+use depth_text::sentences::CommandLine;
 
 impl Calculate {
     /// Whether the option for the value of `key` or for its σ was given.

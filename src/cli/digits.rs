@@ -1,6 +1,6 @@
 //! Numbers for programs as much as for people: ASCII, written out, nothing between the digits.
 
-use crate::formats::number;
+use depth_text::number;
 use std::ops::Range;
 
 /// Magnitudes that are written out; others are in scientific notation, for nobody counts that many zeros.

@@ -12,7 +12,7 @@ mod reply;
 mod text;
 mod warning;
 
-use crate::formats::sentences::CommandLine;
+use depth_text::sentences::CommandLine;
 
 use arguments::{Cli, NAME, Task};
 use clap::CommandFactory;

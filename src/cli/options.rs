@@ -1,11 +1,11 @@
 //! The options of `calculate`, which are made from the table of fields.
 
 use crate::core::quantity::LengthUnit;
-use crate::formats::field::{CommandOption, Key};
-use crate::formats::fields;
-use crate::formats::note::Part;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueHint};
+use depth_text::field::{CommandOption, Key};
+use depth_text::fields;
+use depth_text::note::Part;
 
 /// The lines are short enough for a manual page in 80 columns.
 pub(super) const MORE_HELP: &str = "\

@@ -4,9 +4,9 @@ use super::digits::{in_sentence, plain, rounded, significant};
 use crate::core::agreement::Verdict;
 use crate::core::problem::{Field, Method, Solution, Uncertainty};
 use crate::core::quantity::{Length, LengthUnit};
-use crate::formats::assess::Assessment;
-use crate::formats::report;
-use crate::formats::sentences::Statement;
+use depth_text::assess::Assessment;
+use depth_text::report;
+use depth_text::sentences::Statement;
 
 /// Significant digits of a number without σ.
 const DIGITS: u8 = 4;

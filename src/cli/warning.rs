@@ -2,8 +2,8 @@
 
 use super::digits::in_sentence;
 use super::options::name;
-use crate::formats::field::Key;
-use crate::formats::note::{Note, Part};
+use depth_text::field::Key;
+use depth_text::note::{Note, Part};
 use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 

@@ -59,7 +59,7 @@ const SCREENS = {
   'a dialog with a mistake': async (page) => {
     await page.press('from lens, FOV or Q…');
     await page.fill('Pixel pitch', 'three');
-    await page.says(/Type one number/);
+    await page.says(/is not a number/);
   },
   'the other dialog, with a list open': async (page) => {
     await page.press('OpenCV ×16, doffs…');

@@ -3,14 +3,14 @@
 
 use super::{run, run_words};
 use depth_calculator::core::quantity::LengthUnit;
-use depth_calculator::formats::entry::{Entries, Entry};
-use depth_calculator::formats::export::{Exporter as _, Results, Text};
-use depth_calculator::formats::field::{Key, Kind};
-use depth_calculator::formats::fields::TABLE;
-use depth_calculator::formats::inputs::Inputs;
-use depth_calculator::formats::link;
-use depth_calculator::formats::reading::{read, read_with_sigma};
-use depth_calculator::formats::unit::Unit;
+use depth_text::entry::{Entries, Entry};
+use depth_text::export::{Exporter as _, Results, Text};
+use depth_text::field::{Key, Kind};
+use depth_text::fields::TABLE;
+use depth_text::form::Inputs;
+use depth_text::link;
+use depth_text::reading::{read, read_with_sigma};
+use depth_text::unit::Unit;
 
 /// Every unit, with the words for it.
 const UNITS: [(Unit, &[&str]); 9] = [

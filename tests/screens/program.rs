@@ -56,10 +56,7 @@ impl Program {
     }
 
     pub fn value(&self, field: &str) -> String {
-        self.harness
-            .get_by_role_and_label(Role::NumberInput, field)
-            .value()
-            .unwrap_or_default()
+        self.input(field).value().unwrap_or_default()
     }
 
     pub fn unit(&self, field: &str) -> String {

@@ -1,9 +1,9 @@
 //! A case as it stands in its file.
 
 use depth_calculator::core::problem::Method;
-use depth_calculator::formats::entry::Entries;
-use depth_calculator::formats::field::Key;
-use depth_calculator::formats::inputs::Inputs;
+use depth_text::entry::Entries;
+use depth_text::field::Key;
+use depth_text::form::Inputs;
 
 pub struct Case<'a> {
     /// What stands in brackets before a comma: "form", "way kitti".

@@ -2,11 +2,11 @@
 
 use crate::case::{Case, cases};
 use depth_calculator::core::problem::Method;
-use depth_calculator::formats::geometry::Geometry;
-use depth_calculator::formats::note::{Issue, Note, Part, Severity};
-use depth_calculator::formats::q_matrix;
-use depth_calculator::formats::sentences::{CommandLine, Statement};
-use depth_calculator::formats::ways::{DISPARITIES, FOCAL_LENGTHS, Way};
+use depth_text::geometry::Geometry;
+use depth_text::note::{Issue, Note, Part, Severity};
+use depth_text::q_matrix;
+use depth_text::sentences::{CommandLine, Statement};
+use depth_text::ways::{DISPARITIES, FOCAL_LENGTHS, Way};
 use std::collections::BTreeSet;
 use std::fmt::Debug;
 
@@ -63,8 +63,8 @@ impl Said {
             way => {
                 let key = way.strip_prefix("way ").unwrap_or_else(|| panic!("what is [{way}]?"));
                 let way = Way::named(FOCAL_LENGTHS, key).or_else(|| Way::named(DISPARITIES, key)).unwrap();
-                if let Err(note) = way.compute(&case.entries()) {
-                    self.note(&note);
+                for note in &way.solve(&case.entries()).notes {
+                    self.note(note);
                 }
             }
         }
@@ -89,7 +89,11 @@ impl Said {
                 }
             }
             self.statement(&Statement::widths(solution));
-            let is_poor = |method| solution.uncertainty(method).is_some_and(|uncertainty| !uncertainty.model.first_order_is_good());
+            let is_poor = |method| {
+                solution
+                    .uncertainty(method)
+                    .is_some_and(|uncertainty| !uncertainty.model.first_order_is_good())
+            };
             if Method::ALL.into_iter().any(is_poor) {
                 for has_simulation in [true, false] {
                     self.statement(&Statement::FirstOrderIsPoor { has_simulation });

@@ -2,7 +2,7 @@
 #![allow(missing_docs, reason = "a measurement")]
 
 use depth_core::problem::Field;
-use depth_text::inputs::{Example, Inputs};
+use depth_text::form::{Example, Inputs};
 use depth_text::number;
 use divan::{Bencher, black_box};
 

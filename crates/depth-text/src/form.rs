@@ -3,7 +3,6 @@
 use crate::entry::{Entries, Entry};
 use crate::field::Key;
 use crate::fields;
-use crate::number;
 use depth_core::problem::{Field, Method};
 use depth_core::quantity::LengthUnit;
 use serde::{Deserialize, Serialize};
@@ -97,20 +96,6 @@ impl Inputs {
     /// Whether nothing was typed into the form. A distance, which belongs to what is solved for, does not count.
     pub fn is_blank(&self) -> bool {
         Key::form().all(|key| self.entry(key).is_blank() && self.sigma(key).trim().is_empty())
-    }
-
-    /// The unit that holds for a length: the one typed behind the number, else the one chosen beside it.
-    pub fn unit(&self, key: impl Into<Key>) -> Option<LengthUnit> {
-        let key = key.into();
-        let default = key.kind.length_unit()?;
-        let entry = self.entry(key);
-        let typed = number::read(&entry.text).ok().and_then(|typed| typed.unit?.length());
-        Some(typed.or(entry.unit).unwrap_or(default))
-    }
-
-    /// The number typed into the field `key`, in the unit typed or chosen; `None` where there is none.
-    pub fn number(&self, key: impl Into<Key>) -> Option<f64> {
-        number::read(&self.entry(key).text).ok().map(|typed| typed.number)
     }
 
     /// Moves a unit typed behind the number into the choice beside it. What cannot be read is left as it is.

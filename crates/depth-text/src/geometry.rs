@@ -23,6 +23,8 @@ pub struct Geometry {
     pub tilted: Option<(TiltedTarget, TiltSolution)>,
     /// The distance along the floor with its σ; `None` while something is missing.
     pub floor: Option<Measured<Length>>,
+    /// What could be read.
+    pub readings: Vec<Reading>,
     /// What is wrong with what was typed, in reading order: at most one for each value and one for each σ.
     pub notes: Vec<Note>,
 }
@@ -39,14 +41,17 @@ impl Geometry {
     pub fn assess(entries: &Entries, solution: &Solution) -> Self {
         let mut fields = Fields {
             entries,
+            readings: Vec::new(),
             notes: Vec::new(),
         };
         let mut geometry = Self {
             point: point(&mut fields, solution),
             tilted: tilted(&mut fields, solution),
             floor: floor(&mut fields, solution),
+            readings: Vec::new(),
             notes: Vec::new(),
         };
+        geometry.readings = fields.readings;
         geometry.notes = fields.notes;
         geometry.notes.sort_by_key(|note| (note.key, note.part));
         geometry.notes.dedup_by_key(|note| (note.key, note.part));
@@ -68,6 +73,7 @@ pub fn set_principal_point(entries: &mut Entries, cx: Pixels, cy: Pixels) {
 /// What was typed, and what is to be said about it.
 struct Fields<'a> {
     entries: &'a Entries,
+    readings: Vec<Reading>,
     notes: Vec<Note>,
 }
 
@@ -80,10 +86,16 @@ impl Fields<'_> {
         } else {
             reading::read(key, entry)
         };
-        reading.unwrap_or_else(|note| {
-            self.notes.push(note);
-            None
-        })
+        match reading {
+            Ok(reading) => {
+                self.readings.extend(reading.clone());
+                reading
+            }
+            Err(note) => {
+                self.notes.push(note);
+                None
+            }
+        }
     }
 
     fn pixels(&mut self, key: Key) -> Option<Pixels> {

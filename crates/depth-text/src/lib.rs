@@ -13,7 +13,6 @@ pub mod field;
 pub mod fields;
 pub mod form;
 pub mod geometry;
-pub mod inputs;
 pub mod link;
 mod lookup;
 pub mod note;

@@ -4,7 +4,6 @@ use crate::assess::Unknown;
 use crate::field::Key;
 use crate::number::{self, NO_NUMBER, plain, significant};
 use crate::sentences::Statement;
-use depth_core::agreement::{Agreement, Suspect};
 use depth_core::problem::{Field, Method, Solution, Uncertainty};
 use depth_core::quantity::{Length, LengthUnit};
 
@@ -61,11 +60,6 @@ pub fn formula_with_numbers(solution: &Solution, method: Method) -> Option<Strin
         value(second)?,
         length(Some(distance), LengthUnit::Meter)
     ))
-}
-
-/// How far the entered widths are off what the stereo distance predicts, in a sentence, or what would be needed to know.
-pub fn width_check(solution: &Solution) -> String {
-    Statement::widths(solution).to_string()
 }
 
 /// One row of the table "Key input parameters and outputs".
@@ -229,16 +223,6 @@ pub fn unknown(unknown: &Unknown, unit: Option<LengthUnit>) -> String {
     format!("{} ± {} {symbol}", number::to_decimals(value, decimals), significant(sigma, 2))
 }
 
-/// Whether both distances agree, in a sentence.
-pub fn agreement_sentence(agreement: &Agreement) -> String {
-    Statement::agreement(agreement).to_string()
-}
-
-/// What a suspect is suspected of, in a sentence.
-pub fn suspect_sentence(suspect: &Suspect) -> String {
-    Statement::suspect(suspect).to_string()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -286,7 +270,15 @@ mod tests {
         inputs.entry_mut(Field::RealWidth).text = "0.3".into();
         let solution = inputs.assess().solution;
         assert_eq!(solution.estimated_width_px.map(|w| w.px().round()), Some(150.0));
-        assert!(width_check(&solution).contains("10 % larger"), "{}", width_check(&solution));
-        assert!(width_check(&Example::Doorway.inputs().assess().solution).contains("only repeat"));
+        assert!(
+            Statement::widths(&solution).to_string().contains("10 % larger"),
+            "{}",
+            Statement::widths(&solution)
+        );
+        assert!(
+            Statement::widths(&Example::Doorway.inputs().assess().solution)
+                .to_string()
+                .contains("only repeat")
+        );
     }
 }

@@ -9,7 +9,7 @@ use crate::field::Key;
 use crate::fields::{self, DISPARITY, DOFFS, FOCAL_LENGTH, FRAME_HEIGHT, FRAME_WIDTH, LENS, STORED_VALUE};
 use crate::note::{Issue, Note};
 use crate::number::plain;
-use crate::reading;
+use crate::reading::{self, Reading};
 use depth_core::angle::Angle;
 use depth_core::camera;
 use depth_core::disparity::{self, Encoding, SubpixelBits};
@@ -33,28 +33,43 @@ pub struct Way {
     compute: fn(&[f64]) -> Result<f64, Issue>,
 }
 
-impl Way {
-    /// The result in px; `None` while something is missing.
-    ///
-    /// # Errors
+/// What came of a way.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct WayResult {
+    /// The result in px; `None` while something is missing or wrong.
+    pub value: Option<f64>,
+    /// What could be read of the fields it asks for.
+    pub readings: Vec<Reading>,
     /// What is wrong with a field, or, at the first of them, with all of them together.
-    pub fn compute(&self, entries: &Entries) -> Result<Option<f64>, Note> {
-        let mut values = Vec::new();
+    pub notes: Vec<Note>,
+}
+
+impl Way {
+    /// Reads the fields it asks for, and computes where all are there.
+    pub fn solve(&self, entries: &Entries) -> WayResult {
+        let mut result = WayResult::default();
         for &key in self.asks {
-            values.extend(reading::read(key, entries.entry(key))?.map(|reading| reading.value));
+            match reading::read(key, entries.entry(key)) {
+                Ok(reading) => result.readings.extend(reading),
+                Err(note) => result.notes.push(note),
+            }
         }
-        if values.len() < self.asks.len() {
-            return Ok(None);
+        if result.readings.len() < self.asks.len() {
+            return result;
         }
-        let value = (self.compute)(&values).map_err(|issue| {
-            let key = match issue {
-                Issue::MinDisparityNotWhole => fields::MIN_DISPARITY,
-                Issue::WrongSubpixelBits => fields::SUBPIXEL_BITS,
-                _ => self.asks.first().copied().unwrap_or(self.target),
-            };
-            Note::error(key, issue)
-        })?;
-        Ok(Some(value).filter(|value| value.is_finite()))
+        let values: Vec<f64> = result.readings.iter().map(|reading| reading.value).collect();
+        match (self.compute)(&values) {
+            Ok(value) => result.value = Some(value).filter(|value| value.is_finite()),
+            Err(issue) => {
+                let key = match issue {
+                    Issue::MinDisparityNotWhole => fields::MIN_DISPARITY,
+                    Issue::WrongSubpixelBits => fields::SUBPIXEL_BITS,
+                    _ => self.asks.first().copied().unwrap_or(self.target),
+                };
+                result.notes.push(Note::error(key, issue));
+            }
+        }
+        result
     }
 
     /// What [`target`](Self::target) becomes with the result `value`.
@@ -268,7 +283,7 @@ pub const DISPARITIES: &[Way] = &[
     },
 ];
 
-/// For a number of values that no caller gives: [`Way::compute`] counts them.
+/// For a number of values that no caller gives: [`Way::solve`] counts them.
 const fn incomplete() -> Result<f64, Issue> {
     Ok(f64::NAN)
 }

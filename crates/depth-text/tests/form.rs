@@ -4,8 +4,10 @@
 use depth_core::problem::{Field, Method, Outcome};
 use depth_core::quantity::Length;
 use depth_core::quantity::LengthUnit::{Centimeter, Meter, Millimeter};
+use depth_text::entry::Entry;
 use depth_text::fields;
-use depth_text::inputs::{Entry, Example, Inputs, Note, Severity};
+use depth_text::form::{Example, Inputs};
+use depth_text::note::{Note, Severity};
 
 fn with(field: Field, text: &str) -> Inputs {
     let mut inputs = Inputs::default();
@@ -34,7 +36,7 @@ fn the_examples_give_the_distances_of_the_page() {
 #[test]
 fn a_typed_unit_holds_at_once_and_moves_beside_the_field_when_tidied() {
     let mut inputs = with(Field::Baseline, "10 cm");
-    assert_eq!(inputs.unit(Field::Baseline), Some(Centimeter));
+    assert_eq!(inputs.assess().length_unit(Field::Baseline, &inputs), Some(Centimeter));
     assert_eq!(inputs.assess().solution.problem.get(Field::Baseline), Some(0.1));
     inputs.tidy(Field::Baseline);
     assert_eq!(inputs.entry(Field::Baseline), &Entry::new("10", Some(Centimeter)));

@@ -3,9 +3,11 @@
 
 use depth_core::problem::Field;
 use depth_core::quantity::LengthUnit;
+use depth_text::entry::Entry;
 use depth_text::export::{Exporter as _, Results, Text};
 use depth_text::fields::TABLE;
-use depth_text::inputs::{Entry, Inputs};
+use depth_text::form::Inputs;
+use depth_text::sentences::Statement;
 use depth_text::{number, reading, report};
 use proptest::prelude::*;
 
@@ -46,7 +48,7 @@ proptest! {
         let shown = rows.iter().map(|row| row.value.clone())
             .chain([report::length(assessment.solution.stereo.distance(), result_unit)])
             .chain(report::one_pixel_around(&assessment.solution, result_unit))
-            .chain([report::width_check(&assessment.solution)]);
+            .chain([Statement::widths(&assessment.solution).to_string()]);
         for text in shown {
             prop_assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
         }

@@ -12,7 +12,8 @@ fn compute(ways: &'static [Way], name: &str, texts: &[&str]) -> Result<Option<f6
     for (&key, &text) in way.asks.iter().zip(texts) {
         entries.entry_mut(key).text = text.into();
     }
-    way.compute(&entries)
+    let result = way.solve(&entries);
+    result.notes.into_iter().next().map_or(Ok(result.value), Err)
 }
 
 /// Golden figures: the web page's f_mm / pixel pitch; OpenCV's `calibrationMatrixValues` (2.625 mm on 4.8 mm with

@@ -6,7 +6,7 @@ use crate::app::widgets::{picture, plot};
 use crate::core::problem::{Field, Solution};
 use crate::core::quantity::{Length, LengthUnit, Pixels};
 use crate::core::stereo;
-use crate::formats::{number, report};
+use depth_text::{number, report};
 use egui::accesskit::{Action, ActionData, Role};
 use egui::{Align2, CursorIcon, Id, Key, Rect, Response, Sense, Stroke, Ui, pos2, vec2};
 use egui_plot::{Line, PlotPoint, PlotPoints, PlotResponse};

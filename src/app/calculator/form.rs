@@ -5,18 +5,15 @@ use crate::app::command::{Command, Helper};
 use crate::app::context::AppContext;
 use crate::app::platform::COPY_RESULTS;
 use crate::app::theme;
-use crate::app::widgets::quantity_field::{Annotations, QuantityField};
+use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::text;
-use crate::core::problem::Field;
-use crate::formats::inputs::Example;
+use crate::core::disparity::MATCHING_ERRORS;
+use depth_text::field::{Key, Section};
+use depth_text::fields;
+use depth_text::form::Example;
+use depth_text::number::plain;
 use egui::accesskit::Role;
-use egui::{Button, RichText, Stroke, Ui, UiBuilder, vec2};
-
-const SECTIONS: [(&str, &[Field]); 3] = [
-    ("Camera", &[Field::FocalLength]),
-    ("Stereo", &[Field::Baseline, Field::Disparity, Field::Doffs]),
-    ("Monocular", &[Field::ImageWidth, Field::RealWidth]),
-];
+use egui::{Button, ComboBox, RichText, Stroke, Ui, UiBuilder, vec2};
 
 /// Draws the form. With `marked`, what is missing is said at the fields too.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
@@ -38,38 +35,68 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
 }
 
 fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
-    let (inputs, assessment) = cx.session.parts();
-    let missing = if marked { inputs.missing() } else { Vec::new() };
-    let annotations = |field: Field| Annotations {
-        value_note: assessment.note(field).or_else(|| missing.iter().find(|note| note.key == field)),
-        sigma_note: assessment.sigma_note(field),
-        helper: Helper::at(field),
-        computed: assessment.unknown.as_ref().filter(|unknown| unknown.field == field),
-    };
-    for (section, fields) in SECTIONS {
-        scoped(ui, section, |ui| {
-            text::card_heading(ui, section);
+    for section in Section::ALL {
+        scoped(ui, section.name(), |ui| {
+            text::card_heading(ui, section.name());
             let mut space = 2.0;
-            for &field in fields {
+            for key in section.keys() {
                 // Most rigs have no doffs, so the field is hidden until there is one.
-                if !inputs.shows(field) {
+                if !cx.session.inputs.shows(key) {
                     continue;
                 }
                 ui.add_space(space);
-                scoped(ui, field, |ui| {
-                    let quantity_field = QuantityField {
-                        field,
-                        inputs: &mut *inputs,
-                        annotations: annotations(field),
-                        commands: &mut *cx.commands,
-                    };
-                    quantity_field.ui(ui);
-                });
+                scoped(ui, key.as_str(), |ui| field_ui(ui, cx, key, marked));
                 space = 2.0 * theme::STEP;
             }
         });
         ui.add_space(2.0 * theme::STEP);
     }
+}
+
+fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, key: Key, marked: bool) {
+    let helper = key.input.and_then(Helper::at);
+    let (inputs, assessment) = cx.session.parts();
+    if let Some(unknown) = assessment.unknown.as_ref().filter(|unknown| key == unknown.field) {
+        field::label_ui(ui, key, helper, cx.commands);
+        unknown::solution_ui(ui, unknown, assessment.length_unit(key, inputs));
+        return;
+    }
+    let missing = if marked { inputs.missing() } else { Vec::new() };
+    let value_note = assessment.note(key).or_else(|| missing.iter().find(|note| note.key == key));
+    let field = Field {
+        key,
+        reading: assessment.reading(key),
+        notes: value_note.into_iter().chain(assessment.sigma_note(key)).collect(),
+        with_sigma: inputs.with_uncertainty,
+        helper,
+        id: field::id(key),
+        submits: true,
+        entry: inputs.entry_mut(key),
+    };
+    field.ui(ui, cx.commands);
+    if key == fields::DISPARITY && inputs.with_uncertainty {
+        typical_errors_ui(ui, &mut inputs.entry_mut(key).sigma, cx.commands);
+    }
+}
+
+/// A choice among the matching errors that people state.
+fn typical_errors_ui(ui: &mut Ui, sigma: &mut String, commands: &mut Vec<Command>) {
+    ComboBox::from_id_salt("typical matching errors")
+        .width(ui.available_width())
+        .selected_text("Typical matching errors…")
+        .show_ui(ui, |ui| {
+            for error in MATCHING_ERRORS {
+                let typical = plain(error.sigma.px());
+                let choice = format!("± {typical} px: {}", error.source);
+                if ui.selectable_label(*sigma == typical, choice).clicked() {
+                    *sigma = typical;
+                    commands.push(Command::Settle);
+                    ui.close();
+                }
+            }
+        })
+        .response
+        .accessible_name("Typical matching errors");
 }
 
 /// Draws a part of the form in a scope with an id of its own. Otherwise an error that appears would change the ids of all widgets

@@ -2,14 +2,13 @@
 //! plane as a third method.
 
 use crate::app::context::AppContext;
-use crate::app::widgets::number_field::{NumberField, Unit};
+use crate::app::theme;
+use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::{cards, text};
 use crate::core::quantity::Length;
-use crate::formats::entry::{Entries, Entry};
-use crate::formats::field::Key;
-use crate::formats::geometry::Geometry;
-use crate::formats::note::{Note, Part};
-use crate::formats::{number, report};
+use depth_text::field::Key;
+use depth_text::geometry::Geometry;
+use depth_text::{number, report};
 use egui::Ui;
 
 /// Draws the three cards.
@@ -26,7 +25,7 @@ type Card = fn(&mut Ui, &mut AppContext<'_>, &Geometry, egui::Id);
 
 fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui::Id) {
     cards::card(ui, "Depth or range", |ui| {
-        fields_ui(ui, &mut cx.settings.entries, &Geometry::POINT);
+        fields_ui(ui, cx, geometry, &Geometry::POINT, "range");
         if let Some(point) = geometry.point {
             let length = |length: Length| report::length(Some(length), cx.unit());
             super::table::pairs(
@@ -40,7 +39,6 @@ fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui
                 ],
             );
         }
-        notes_ui(ui, cx, geometry, &Geometry::POINT);
         text::caption(
             ui,
             "The distance of this program is the depth Z along the optical axis. A tape held at the lens measures the range R, which is longer away from the middle of the image.",
@@ -51,7 +49,7 @@ fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui
 
 fn tilt_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui::Id) {
     cards::card(ui, "Tilted target", |ui| {
-        fields_ui(ui, &mut cx.settings.entries, &Geometry::TILTED);
+        fields_ui(ui, cx, geometry, &Geometry::TILTED, "tilt");
         if let Some((target, solved)) = geometry.tilted {
             let share = number::significant(solved.excess * 100.0, 2);
             super::table::pairs(
@@ -64,7 +62,6 @@ fn tilt_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui:
                 ],
             );
         }
-        notes_ui(ui, cx, geometry, &Geometry::TILTED);
         text::caption(
             ui,
             "A target turned away by an angle looks narrower by its cosine, so the monocular method puts it too far away. The distance is that to the plane of the target’s middle, along the optical axis.",
@@ -75,7 +72,7 @@ fn tilt_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui:
 
 fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui::Id) {
     cards::card(ui, "Ground plane, a third method", |ui| {
-        fields_ui(ui, &mut cx.settings.entries, &Geometry::GROUND);
+        fields_ui(ui, cx, geometry, &Geometry::GROUND, "ground");
         if let Some(distance) = geometry.floor {
             let words = if distance.sigma.m() > 0.0 {
                 report::with_sigma(distance.value, distance.sigma, cx.unit()).text(cx.unit())
@@ -84,7 +81,6 @@ fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egu
             };
             super::table::pairs(ui, "Ground plane", &[("Distance along the floor", words)]);
         }
-        notes_ui(ui, cx, geometry, &Geometry::GROUND);
         text::caption(
             ui,
             "D = h / tan(θ + atan((v − cy) / fy)): where the ray of an image row meets a level floor. fy is taken to be fx. Needs neither a second camera nor a known size.",
@@ -93,31 +89,20 @@ fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egu
     });
 }
 
-/// What is wrong with the fields `keys`. What is not one number is said at its field.
-fn notes_ui(ui: &mut Ui, cx: &AppContext<'_>, geometry: &Geometry, keys: &[Key]) {
-    let entries = &cx.settings.entries;
-    let is_said = |said: &Note| said.part == Part::Value && number::read(&entries.entry(said.key).text).is_err();
-    for note in geometry.notes.iter().filter(|note| keys.contains(&note.key) && !is_said(note)) {
-        text::note(ui, note.severity, &note.message(), None);
-    }
-}
-
-fn fields_ui(ui: &mut Ui, entries: &mut Entries, keys: &[Key]) {
+/// The fields of a card. `card` tells apart a field that is on two of them.
+fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, keys: &[Key], card: &str) {
     for &key in keys {
-        let Entry { text, sigma, .. } = entries.entry_mut(key);
-        let unit = key.spec().unit_symbol();
-        let field = NumberField {
-            name: key.spec().name,
-            hint: "",
-            example: key.spec().example(),
-            unit: Unit::Fixed(unit),
-            signed: unit == "°",
-            sigma: key.has_sigma.then_some(sigma),
+        let field = Field {
+            key,
+            entry: cx.settings.entries.entry_mut(key),
+            reading: geometry.readings.iter().find(|reading| reading.key == key),
+            notes: geometry.notes.iter().filter(|note| note.key == key).collect(),
+            with_sigma: key.has_sigma,
+            helper: None,
+            id: field::id(key).with(card),
+            submits: false,
         };
-        if key.has_sigma {
-            field.ui(ui, text);
-        } else {
-            ui.push_id(key.as_str(), |ui| field.ui(ui, text));
-        }
+        field.ui(ui, cx.commands);
+        ui.add_space(theme::STEP);
     }
 }

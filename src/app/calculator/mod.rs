@@ -15,12 +15,14 @@ use super::command::Helper;
 use super::context::AppContext;
 use super::session::Session;
 use super::theme::{self, Layout};
-use super::widgets::{cards, quantity_field, scroll, text};
+use super::widgets::{cards, field, scroll, text};
 use crate::core::quantity::LengthUnit;
-use crate::formats::geometry::Geometry;
-use crate::formats::inputs::{Assessment, Severity};
-use crate::formats::report;
-use crate::formats::sentences::Statement;
+use depth_text::assess::Assessment;
+use depth_text::geometry::Geometry;
+use depth_text::note::Severity;
+use depth_text::report;
+use depth_text::sentences::Statement;
+use depth_text::ways::WayResult;
 use egui::{Align, Id, Pos2, Rect, RichText, Ui, UiBuilder};
 
 /// State of the screen between frames, beside the inputs.
@@ -32,6 +34,8 @@ pub struct Calculator {
     pub helper: Option<Helper>,
     /// Range, tilt and ground plane.
     geometry: Geometry,
+    /// What comes of the way that is chosen in the open helper, with the key of the way.
+    way: Option<(&'static str, WayResult)>,
     reveal: Reveal,
     curve: curve::Curve,
     simulations: uncertainty::Simulations,
@@ -76,7 +80,7 @@ impl Calculator {
             });
         }
         if let Some(helper) = self.helper {
-            helpers::ui(ui, cx, helper);
+            helpers::ui(ui, cx, helper, self.way.as_ref());
         }
     }
 
@@ -86,6 +90,7 @@ impl Calculator {
             self.reveal = Reveal::No;
         }
         self.geometry = Geometry::assess(&cx.settings.entries, &cx.session.assessment().solution);
+        self.way = self.helper.and_then(|helper| helpers::solve(helper, cx.settings));
         if self.simulations.advance(cx.session.assessment()) {
             cx.egui.request_repaint();
         }
@@ -103,7 +108,7 @@ impl Calculator {
         let missing = session.inputs.missing();
         let first = errors.chain(missing.iter().map(|note| note.key)).min();
         match first {
-            Some(key) => ctx.memory_mut(|memory| memory.request_focus(quantity_field::id(key))),
+            Some(key) => ctx.memory_mut(|memory| memory.request_focus(field::id(key))),
             None => self.reveal_results(ctx),
         }
     }
@@ -203,8 +208,8 @@ fn intermediate_ui(ui: &mut Ui, assessment: &Assessment) {
     let solution = &assessment.solution;
     let meters = |length| report::length(length, LengthUnit::Meter);
     let width_px = solution.estimated_width_px.map_or_else(
-        || crate::formats::number::NO_NUMBER.to_owned(),
-        |width| crate::formats::number::significant(width.px(), report::DIGITS),
+        || depth_text::number::NO_NUMBER.to_owned(),
+        |width| depth_text::number::significant(width.px(), report::DIGITS),
     );
     table::pairs(
         ui,

@@ -3,14 +3,14 @@
 use crate::app::command::Command;
 use crate::app::context::AppContext;
 use crate::app::theme;
-use crate::app::widgets::quantity_field::length_unit_choice;
+use crate::app::widgets::unit_choice::length_unit_choice;
 use crate::app::widgets::{cards, text};
 use crate::core::agreement::{Suspect, Verdict};
 use crate::core::problem::{Comparison, Method, Solution};
 use crate::core::quantity::LengthUnit;
-use crate::formats::inputs::Unknown;
-use crate::formats::report;
-use crate::formats::sentences::Statement;
+use depth_text::assess::Unknown;
+use depth_text::report;
+use depth_text::sentences::Statement;
 use egui::accesskit::Role;
 use egui::{Id, RichText, Ui, UiBuilder};
 
@@ -38,7 +38,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let solution = &assessment.solution;
     if let Some(unknown) = &assessment.unknown {
         let inputs = &cx.session.inputs;
-        let unit = inputs.unknown.and_then(|(_, field)| inputs.unit(field));
+        let unit = inputs.unknown.and_then(|(_, field)| assessment.length_unit(field, inputs));
         card(ui, unknown.field.name(), |ui| solved_ui(ui, unknown, unit));
     }
     let mut shown: Vec<Shown<'_>> = Method::ALL
@@ -121,7 +121,7 @@ fn combined_ui(ui: &mut Ui, comparison: &Comparison, suspects: &[Suspect], unit:
             text::caption(ui, "Combined estimate; the shared focal length is accounted for");
         }
         None => {
-            number(ui, crate::formats::number::NO_NUMBER, unit.symbol(), "Combined distance");
+            number(ui, depth_text::number::NO_NUMBER, unit.symbol(), "Combined distance");
         }
     }
     if comparison.agreement.verdict != Some(Verdict::Agree) {
@@ -211,7 +211,7 @@ fn result_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
 }
 
 fn empty_ui(ui: &mut Ui, unit: LengthUnit) {
-    number(ui, crate::formats::number::NO_NUMBER, unit.symbol(), "Distance");
+    number(ui, depth_text::number::NO_NUMBER, unit.symbol(), "Distance");
     for method in Method::ALL {
         let [first, second, third] = method.fields().map(|field| field.symbol());
         text::caption(

@@ -4,7 +4,7 @@ use crate::app::theme;
 use crate::app::widgets::cards;
 use crate::app::widgets::table::{Cell, row, table};
 use crate::core::problem::Solution;
-use crate::formats::report::{self, Row};
+use depth_text::report::{self, Row};
 use egui::accesskit::Role;
 use egui::text::LayoutJob;
 use egui::{FontId, Ui};

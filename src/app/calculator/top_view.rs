@@ -5,7 +5,7 @@ use crate::app::widgets::picture;
 use crate::app::widgets::plot::round_down;
 use crate::core::problem::{Method, Solution};
 use crate::core::quantity::{Length, LengthUnit};
-use crate::formats::{number, report};
+use depth_text::{number, report};
 use egui::{Align2, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, pos2, vec2};
 
 pub const TITLE: &str = "Top view, to scale";
@@ -331,7 +331,7 @@ const fn to_f32(points: f64) -> f32 {
 #[allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 mod tests {
     use super::*;
-    use crate::formats::inputs::{Example, Inputs};
+    use depth_text::form::{Example, Inputs};
 
     fn scene(inputs: &Inputs) -> (Model, Scene) {
         let model = Model::new(&inputs.assess().solution).unwrap();

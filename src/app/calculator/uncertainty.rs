@@ -7,8 +7,8 @@ use crate::core::monte_carlo::{Distribution, MonteCarlo, Quantiles};
 use crate::core::problem::{Field, Method, Solution};
 use crate::core::quantity::{Length, LengthUnit};
 use crate::core::uncertainty::Model;
-use crate::formats::inputs::Assessment;
-use crate::formats::report;
+use depth_text::assess::Assessment;
+use depth_text::report;
 use egui::{Align2, Color32, Rect, Sense, Ui, pos2, vec2};
 
 /// Draws per simulation.

@@ -3,12 +3,14 @@
 use crate::app::command::Command;
 use crate::app::context::AppContext;
 use crate::app::theme;
-use crate::app::widgets::number_field::{self, NumberField};
+use crate::app::widgets::field::{self, Field as FieldWidget};
 use crate::app::widgets::text;
 use crate::core::problem::{Field, Method};
 use crate::core::quantity::LengthUnit;
-use crate::formats::fields;
-use egui::{ComboBox, Ui};
+use depth_text::assess::Unknown;
+use depth_text::fields;
+use depth_text::report;
+use egui::{ComboBox, RichText, Sense, Ui, vec2};
 
 /// What is offered first.
 pub const FIRST: (Method, Field) = (Method::Stereo, Field::Disparity);
@@ -51,23 +53,35 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
         cx.commands.push(Command::Settle);
     }
     ui.add_space(theme::STEP);
-    let with_uncertainty = inputs.with_uncertainty;
-    let distance = inputs.entry_mut(fields::DISTANCE);
-    let unit = distance.unit.get_or_insert(LengthUnit::Meter);
-    let left = NumberField {
-        name: "Distance (D)",
-        hint: "The distance along the optical axis, now an input.",
-        example: "1.4",
-        unit: number_field::Unit::Choice(unit),
-        signed: false,
-        sigma: with_uncertainty.then_some(&mut distance.sigma),
-    }
-    .ui(ui, &mut distance.text);
-    if left {
-        cx.commands.push(Command::Settle);
-    }
+    let with_sigma = inputs.with_uncertainty;
+    let field = FieldWidget {
+        key: fields::DISTANCE,
+        reading: None,
+        notes: Vec::new(),
+        with_sigma,
+        helper: None,
+        id: field::id(fields::DISTANCE),
+        submits: true,
+        entry: inputs.entry_mut(fields::DISTANCE),
+    };
+    field.ui(ui, cx.commands);
     if let Some(Err(reason)) = assessment.unknown.as_ref().map(|unknown| &unknown.outcome) {
         text::caption(ui, reason.to_string());
     }
     ui.add_space(2.0 * theme::STEP);
+}
+
+/// What was solved for, in place of its field.
+pub fn solution_ui(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
+    let height = ui.spacing().interact_size.y;
+    let palette = theme::palette(ui);
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
+    ui.painter().rect_filled(rect, theme::CONTROL_RADIUS, palette.highlight);
+    let words = report::unknown(unknown, unit);
+    // Not a live region: the result card says the same.
+    ui.put(
+        rect.shrink2(vec2(10.0, 0.0)),
+        egui::Label::new(RichText::new(words).font(theme::strong(theme::BODY_SIZE))),
+    );
+    text::caption(ui, "Computed from the distance and the other quantities.");
 }

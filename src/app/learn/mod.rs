@@ -37,8 +37,8 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
 mod tests {
     use super::document::{Block, Span};
     use super::*;
-    use crate::formats::inputs::Inputs;
-    use crate::formats::link;
+    use depth_text::form::Inputs;
+    use depth_text::link;
 
     const TEXT: &str = include_str!("../../../assets/learn.md");
 

@@ -16,6 +16,8 @@ pub const CONTROL_RADIUS: u8 = 6;
 pub const CONTROL_HEIGHT: f32 = 36.0;
 /// Height of a control for a finger.
 pub const CONTROL_HEIGHT_TOUCH: f32 = 44.0;
+/// Height of the line with the label of a field.
+pub const LABEL_HEIGHT: f32 = 20.0;
 /// Width of the choice of a unit beside a field.
 pub const UNIT_WIDTH: f32 = 76.0;
 /// Width of the field for a σ.

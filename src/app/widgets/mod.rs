@@ -2,10 +2,10 @@
 
 pub mod bottom_bar;
 pub mod cards;
-pub mod number_field;
+pub mod field;
 pub mod picture;
 pub mod plot;
-pub mod quantity_field;
 pub mod scroll;
 pub mod table;
 pub mod text;
+pub mod unit_choice;

@@ -3,7 +3,7 @@
 
 use crate::app::theme;
 use crate::core::quantity::LengthUnit;
-use crate::formats::number;
+use depth_text::number;
 use egui::{Sense, Ui, Vec2};
 use egui_plot::{GridMark, Plot};
 

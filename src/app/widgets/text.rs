@@ -1,7 +1,7 @@
 //! Headings, captions, notes and badges, with their accessible roles.
 
 use crate::app::theme::{self, Palette};
-use crate::formats::inputs::Severity;
+use depth_text::note::Severity;
 use egui::accesskit::{Invalid, Live, Role};
 use egui::{FontId, Id, Response, RichText, Ui};
 

@@ -5,16 +5,16 @@ mod q_matrix;
 use crate::app::command::{Command, Helper};
 use crate::app::context::AppContext;
 use crate::app::dialog::{DialogFrame, close_button};
-use crate::app::saved::Ways;
+use crate::app::saved::{Settings, Ways};
 use crate::app::theme;
-use crate::app::widgets::number_field::{NumberField, Unit};
+use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::{scroll, text};
 use crate::core::camera::SENSOR_FORMATS;
-use crate::core::problem::Field;
-use crate::formats::fields;
-use crate::formats::inputs::Severity;
-use crate::formats::number::{self, plain, significant};
-use crate::formats::ways::{DISPARITIES, FOCAL_LENGTHS, Way};
+use crate::core::quantity::LengthUnit;
+use depth_text::entry::Entry;
+use depth_text::fields;
+use depth_text::number::{plain, significant};
+use depth_text::ways::{DISPARITIES, FOCAL_LENGTHS, Way, WayResult};
 use egui::{Button, ComboBox, RichText, Stroke, Ui, vec2};
 
 const fn title(helper: Helper) -> &'static str {
@@ -43,7 +43,7 @@ const fn ways(helper: Helper) -> &'static [Way] {
 const Q_MATRIX: &str = "A Q matrix of stereoRectify";
 
 /// Draws the helper over the screen.
-pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper) {
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: Option<&(&'static str, WayResult)>) {
     let frame = DialogFrame {
         id: "helper",
         title: title(helper),
@@ -56,7 +56,11 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper) {
         scroll::up_to(ui, ui.ctx().content_rect().height() - 180.0, |ui| {
             let way = way_choice_ui(ui, helper, &mut cx.settings.ways);
             match way {
-                Some(way) => way_ui(ui, cx, way),
+                Some(way) => {
+                    // Of another way, where one has just been chosen: nothing, until the next frame.
+                    let result = solved.filter(|(key, _)| *key == way.key).map(|(_, result)| result.clone());
+                    way_ui(ui, cx, way, &result.unwrap_or_default());
+                }
                 None => q_matrix::ui(ui, cx),
             }
         });
@@ -68,77 +72,83 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper) {
     }
 }
 
-/// The choice among the ways of `helper`. Returns the chosen one; `None` is the Q matrix.
-fn way_choice_ui(ui: &mut Ui, helper: Helper, chosen_ways: &mut Ways) -> Option<&'static Way> {
+/// What can be chosen in `helper`: the keys and names of its ways, and at the end the Q matrix where it is offered.
+fn choices(helper: Helper) -> Vec<(&'static str, &'static str)> {
     let named = |way: &'static Way| (way.key, way.name);
     let q_matrix = (helper == Helper::FocalLength).then_some((fields::Q_MATRIX.as_str(), Q_MATRIX));
-    let choices: Vec<(&'static str, &'static str)> = ways(helper).iter().map(named).chain(q_matrix).collect();
-    let stored = chosen_ways.get(key(helper));
-    let mut chosen = choices
-        .iter()
-        .find(|(key, _)| stored.is_some_and(|stored| stored == key))
-        .or(choices.first())
-        .copied()
-        .unwrap_or_default();
-    let before = chosen;
+    ways(helper).iter().map(named).chain(q_matrix).collect()
+}
+
+/// The key and name of the choice in `helper`: the one made last, else the first.
+fn chosen(helper: Helper, made: &Ways) -> (&'static str, &'static str) {
+    let choices = choices(helper);
+    let last = made.get(key(helper));
+    let same = choices.iter().find(|(key, _)| last.is_some_and(|last| last == key));
+    same.or(choices.first()).copied().unwrap_or_default()
+}
+
+/// What comes of the way chosen in `helper`, with its key; `None` for the Q matrix.
+pub fn solve(helper: Helper, settings: &Settings) -> Option<(&'static str, WayResult)> {
+    let way = Way::named(ways(helper), chosen(helper, &settings.ways).0)?;
+    Some((way.key, way.solve(&settings.entries)))
+}
+
+/// The choice among the ways of `helper`. Returns the chosen one; `None` is the Q matrix.
+fn way_choice_ui(ui: &mut Ui, helper: Helper, made: &mut Ways) -> Option<&'static Way> {
+    let before = chosen(helper, made);
+    let mut now = before;
     ComboBox::from_id_salt(("way", key(helper)))
         .width(ui.available_width())
-        .selected_text(chosen.1)
+        .selected_text(now.1)
         .show_ui(ui, |ui| {
-            for &choice in &choices {
-                if ui.selectable_value(&mut chosen, choice, choice.1).clicked() {
+            for choice in choices(helper) {
+                if ui.selectable_value(&mut now, choice, choice.1).clicked() {
                     ui.close();
                 }
             }
         })
         .response
         .accessible_name("What is known");
-    if chosen != before {
-        chosen_ways.insert(key(helper).to_owned(), chosen.0.to_owned());
+    if now != before {
+        made.insert(key(helper).to_owned(), now.0.to_owned());
     }
     ui.add_space(2.0 * theme::STEP);
-    Way::named(ways(helper), chosen.0)
+    Way::named(ways(helper), now.0)
 }
 
-fn way_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way) {
+fn way_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
     for &key in way.asks {
-        let typed = &mut cx.settings.entries.entry_mut(key).text;
-        NumberField {
-            name: key.name,
-            hint: "",
-            example: key.example(),
-            unit: Unit::Fixed(key.unit_symbol()),
-            signed: way.target == Field::Disparity,
-            sigma: None,
-        }
-        .ui(ui, typed);
+        let field = Field {
+            key,
+            entry: cx.settings.entries.entry_mut(key),
+            reading: result.readings.iter().find(|reading| reading.key == key),
+            notes: result.notes.iter().filter(|note| note.key == key).collect(),
+            with_sigma: false,
+            helper: None,
+            id: field::id(key),
+            submits: false,
+        };
+        field.ui(ui, cx.commands);
+        ui.add_space(theme::STEP);
         if key == fields::SENSOR_WIDTH {
-            sensor_formats_ui(ui, typed);
+            sensor_formats_ui(ui, cx.settings.entries.entry_mut(key));
         }
     }
     text::caption(ui, way.remark);
     ui.add_space(theme::STEP);
     let symbol = way.target.symbol;
-    let result = way.compute(&cx.settings.entries);
-    let usable = result.as_ref().ok().copied().flatten();
-    let label = usable.map_or_else(
+    let label = result.value.map_or_else(
         || format!("Use as {symbol}"),
         |value| format!("Use {symbol} = {} px", significant(value, 6)),
     );
-    // What is not one number is said at its field.
-    if let Err(note) = &result
-        && number::read(&cx.settings.entries.entry(note.key).text).is_ok()
-    {
-        text::note(ui, Severity::Error, &note.message(), None);
-    }
-    if use_button(ui, &label, usable.is_some())
-        && let Some(value) = usable
+    if use_button(ui, &label, result.value.is_some())
+        && let Some(value) = result.value
     {
         cx.commands.push(Command::Fix(way.target, way.entry(value)));
     }
 }
 
-fn sensor_formats_ui(ui: &mut Ui, typed: &mut String) {
+fn sensor_formats_ui(ui: &mut Ui, entry: &mut Entry) {
     ComboBox::from_id_salt("sensor formats")
         .selected_text("Common formats…")
         .width(200.0)
@@ -146,7 +156,7 @@ fn sensor_formats_ui(ui: &mut Ui, typed: &mut String) {
             for format in &SENSOR_FORMATS {
                 let name = format!("{}: {} × {} mm", format.name, plain(format.width_mm), plain(format.height_mm));
                 if ui.selectable_label(false, name).clicked() {
-                    *typed = plain(format.width_mm);
+                    *entry = Entry::new(plain(format.width_mm), Some(LengthUnit::Millimeter));
                     ui.close();
                 }
             }

@@ -7,11 +7,13 @@ use crate::app::widgets::text;
 use crate::core::problem::Field;
 use crate::core::q_matrix::StereoGeometry;
 use crate::core::quantity::LengthUnit;
-use crate::formats::fields;
-use crate::formats::inputs::{Entry, Inputs, Severity};
-use crate::formats::note::Issue;
-use crate::formats::number::{plain, significant};
-use crate::formats::q_matrix;
+use depth_text::entry::Entry;
+use depth_text::fields;
+use depth_text::form::Inputs;
+use depth_text::note::Issue;
+use depth_text::note::Severity;
+use depth_text::number::{plain, significant};
+use depth_text::q_matrix;
 use egui::{Button, Id, RichText, TextEdit, Ui, vec2};
 
 /// Draws a field for the matrix, and for each unit of the baseline a button that fills in the form.

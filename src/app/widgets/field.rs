@@ -1,0 +1,288 @@
+//! The field of the program: label, text, unit, σ, hint, and what is wrong with it. One widget for every field of the table.
+
+use super::text;
+use super::unit_choice::length_unit_choice;
+use crate::app::command::{Command, Helper, Scope};
+use crate::app::theme::{self, SIGMA_WIDTH, UNIT_WIDTH};
+use crate::core::quantity::LengthUnit;
+use depth_text::entry::Entry;
+use depth_text::field::Key as FieldKey;
+use depth_text::note::{Note, Part, Severity};
+use depth_text::reading::Reading;
+use egui::accesskit::Role;
+use egui::text::{CCursor, CCursorRange};
+use egui::{Align, Button, Id, Key, Modifiers, Response, RichText, Sense, Stroke, TextEdit, Ui, vec2};
+
+/// Between the parts of a field.
+const SPACING: f32 = 6.0;
+
+/// A field of the table, with what was typed into it and what is to be said about that.
+pub struct Field<'a> {
+    /// Which field.
+    pub key: FieldKey,
+    /// What is typed. Edits go straight into it.
+    pub entry: &'a mut Entry,
+    /// What it means, where it could be read.
+    pub reading: Option<&'a Reading>,
+    /// What is to be said about its value and its σ: at most one note each.
+    pub notes: Vec<&'a Note>,
+    /// Whether its σ is asked for.
+    pub with_sigma: bool,
+    /// The helper that knows where such numbers come from.
+    pub helper: Option<Helper>,
+    /// The id of its text: [`id`], but where the same field is on the screen twice.
+    pub id: Id,
+    /// Whether Enter calculates, as in the form.
+    pub submits: bool,
+}
+
+/// The id of the text of the field `key`, for moving the focus to it.
+pub fn id(key: impl Into<FieldKey>) -> Id {
+    Id::unique(("field", key.into().as_str()))
+}
+
+/// The label of a field alone, with the link to its helper at the other end of the line.
+pub fn label_ui(ui: &mut Ui, key: FieldKey, helper: Option<Helper>, commands: &mut Vec<Command>) -> Response {
+    let palette = theme::palette(ui);
+    let height = ui.spacing().interact_size.y;
+    let line_height = if height >= theme::CONTROL_HEIGHT_TOUCH && helper.is_some() {
+        height
+    } else {
+        theme::LABEL_HEIGHT
+    };
+    let line = vec2(ui.available_width(), line_height);
+    ui.allocate_ui_with_layout(line, egui::Layout::left_to_right(Align::Center), |ui| {
+        ui.spacing_mut().interact_size.y = line_height;
+        let label = ui.label(RichText::new(key.name).font(theme::strong(theme::BODY_SIZE)).color(palette.text));
+        if let Some(helper) = helper {
+            let open = Command::Help(Some(helper));
+            ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| {
+                let link = Button::new(RichText::new(open.text()).size(theme::SMALL_SIZE).color(palette.blue)).frame(false);
+                if ui.add(link.min_size(vec2(0.0, line_height))).clicked() {
+                    commands.push(open);
+                }
+            });
+        }
+        label
+    })
+    .inner
+}
+
+impl Field<'_> {
+    /// Draws the field, as high as the controls of `ui`.
+    pub fn ui(mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
+        let label = label_ui(ui, self.key, self.helper, commands);
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = SPACING;
+            self.text_ui(ui, &label, commands);
+            self.unit_ui(ui, commands);
+            if self.with_sigma {
+                self.sigma_ui(ui, commands);
+            }
+        });
+        if !self.key.hint.is_empty() {
+            text::caption(ui, self.key.hint);
+        }
+        for note in &self.notes {
+            let about = match note.part {
+                Part::Value => self.id,
+                Part::Sigma => self.sigma_id(),
+            };
+            note_ui(ui, note, about, commands);
+        }
+    }
+
+    fn sigma_id(&self) -> Id {
+        self.id.with("uncertainty")
+    }
+
+    fn note(&self, part: Part) -> Option<&Note> {
+        self.notes.iter().copied().find(|note| note.part == part)
+    }
+
+    fn text_ui(&mut self, ui: &mut Ui, label: &Response, commands: &mut Vec<Command>) {
+        if ui.memory(|memory| memory.has_focus(self.id)) {
+            self.take_keys(ui, commands);
+        }
+        let sigma_width = if self.with_sigma { SIGMA_WIDTH + SPACING } else { 0.0 };
+        let width = ui.available_width() - UNIT_WIDTH - SPACING - sigma_width;
+        let size = vec2(width, ui.spacing().interact_size.y);
+        let color = self.note(Part::Value).map(|note| border_color(ui, note));
+        let output = ui
+            .scope(|ui| {
+                set_border(ui, color);
+                let palette = theme::palette(ui);
+                TextEdit::singleline(&mut self.entry.text)
+                    .id(self.id)
+                    .hint_text(RichText::new(format!("e.g. {}", self.key.example())).color(palette.muted))
+                    .align(egui::Align2::RIGHT_CENTER)
+                    .margin(egui::Margin::symmetric(10, 4))
+                    .desired_width(size.x)
+                    .min_size(size)
+                    .return_key(None)
+                    .show(ui)
+            })
+            .inner;
+        let response = output.response.response.labelled_by(label.id);
+        ui.accesskit_node_builder(self.id, |node| {
+            // A text field to egui, as a unit may be typed; a number to assistive technology and to the keyboards of phones, of which
+            // some have no minus.
+            if !self.key.signed {
+                node.set_role(Role::NumberInput);
+            }
+            node.set_description(self.description());
+            if let Some(reading) = self.reading {
+                node.set_numeric_value(reading.number);
+            }
+        });
+        // As in a browser's form: Tab selects the text, so that typing replaces it.
+        if response.gained_focus() && ui.input(|input| input.key_pressed(Key::Tab)) {
+            let mut state = output.state;
+            let all = CCursorRange::two(CCursor::default(), CCursor::new(self.entry.text.chars().count()));
+            state.cursor.set_char_range(Some(all));
+            state.store(ui.ctx(), self.id);
+        }
+        if response.lost_focus() {
+            self.entry.tidy(self.key);
+            commands.push(Command::Settle);
+        }
+    }
+
+    /// What assistive technology says of the field beside its label and value.
+    fn description(&self) -> String {
+        let symbol = self.key.unit_symbol();
+        let unit = if self.key.is_length() || symbol.is_empty() {
+            String::new()
+        } else {
+            format!("In {}. ", text::spoken_unit(symbol))
+        };
+        let gap = if self.key.hint.is_empty() { "" } else { " " };
+        format!("{}{gap}{unit}Arrow up and down step the value.", self.key.hint)
+    }
+
+    /// The keys that a field takes while it has the focus: arrows step it, Enter calculates.
+    fn take_keys(&mut self, ui: &Ui, commands: &mut Vec<Command>) {
+        let steps = ui.input_mut(|input| {
+            let mut steps = 0;
+            // Shift first: a key without modifiers also matches when Shift is held.
+            for (modifiers, size) in [(Modifiers::SHIFT, 10), (Modifiers::NONE, 1)] {
+                steps += size * i32::try_from(input.count_and_consume_key(modifiers, Key::ArrowUp)).unwrap_or(0);
+                steps -= size * i32::try_from(input.count_and_consume_key(modifiers, Key::ArrowDown)).unwrap_or(0);
+            }
+            steps
+        });
+        if steps != 0 {
+            self.entry.step(self.key, steps);
+        }
+        if self.submits && ui.input_mut(|input| Command::Calculate.take_keys(input, &[Scope::Field])) {
+            self.entry.tidy(self.key);
+            commands.push(Command::Calculate);
+        }
+    }
+
+    fn unit_ui(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
+        let Some(mut unit) = self.length_unit() else {
+            self.fixed_unit_ui(ui);
+            return;
+        };
+        let before = unit;
+        let name = format!("Unit of {}", self.key.name);
+        length_unit_choice(ui, (self.id, "unit"), &name, &mut unit, UNIT_WIDTH);
+        if unit != before {
+            self.entry.tidy(self.key);
+            self.entry.unit = Some(unit);
+            commands.push(Command::Settle);
+        }
+    }
+
+    /// The unit of length that holds; `None` where there is no choice.
+    fn length_unit(&self) -> Option<LengthUnit> {
+        let default = self.key.kind.length_unit()?;
+        let read = self.reading.and_then(|reading| reading.unit?.length());
+        Some(read.or(self.entry.unit).unwrap_or(default))
+    }
+
+    /// The unit of a field without a choice, where it has one.
+    fn fixed_unit_ui(&self, ui: &mut Ui) {
+        let palette = theme::palette(ui);
+        let size = vec2(UNIT_WIDTH, ui.spacing().interact_size.y);
+        let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+        let symbol = self.key.unit_symbol();
+        if symbol.is_empty() {
+            return;
+        }
+        let stroke = Stroke::new(theme::THIN_LINE, palette.line);
+        ui.painter()
+            .rect_stroke(rect, theme::CONTROL_RADIUS, stroke, egui::StrokeKind::Inside);
+        let at = rect.left_center() + vec2(11.0, 0.0);
+        let font = theme::regular(theme::BODY_SIZE);
+        ui.painter().text(at, egui::Align2::LEFT_CENTER, symbol, font, palette.muted);
+    }
+
+    fn sigma_ui(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
+        let palette = theme::palette(ui);
+        let size = vec2(SIGMA_WIDTH, ui.spacing().interact_size.y);
+        let id = self.sigma_id();
+        let takes_enter = self.submits && ui.memory(|memory| memory.has_focus(id));
+        if takes_enter && ui.input_mut(|input| Command::Calculate.take_keys(input, &[Scope::Field])) {
+            commands.push(Command::Calculate);
+        }
+        let color = self.note(Part::Sigma).map(|note| border_color(ui, note));
+        let response = ui
+            .scope(|ui| {
+                set_border(ui, color);
+                // Not `Role::NumberInput`: the number keyboard of most phones has no "%".
+                TextEdit::singleline(&mut self.entry.sigma)
+                    .id(id)
+                    .prefix(RichText::new("±").color(palette.muted))
+                    .hint_text(RichText::new("none").color(palette.muted))
+                    .align(egui::Align2::RIGHT_CENTER)
+                    .margin(egui::Margin::symmetric(8, 4))
+                    .desired_width(size.x)
+                    .min_size(size)
+                    .return_key(None)
+                    .show(ui)
+            })
+            .inner
+            .response
+            .response
+            .accessible_name(format!("Uncertainty of {}", self.key.name));
+        ui.accesskit_node_builder(id, |node| {
+            node.set_description("One standard deviation, in the unit of the value, with a unit of its own, or in percent. Empty: none.");
+        });
+        if response.lost_focus() {
+            commands.push(Command::Settle);
+        }
+    }
+}
+
+fn border_color(ui: &Ui, note: &Note) -> egui::Color32 {
+    let palette = theme::palette(ui);
+    match note.severity {
+        Severity::Error => palette.red,
+        Severity::Warning => palette.amber,
+    }
+}
+
+/// Gives the next field in `ui` the border of what is wrong with it.
+fn set_border(ui: &mut Ui, color: Option<egui::Color32>) {
+    if let Some(color) = color {
+        let widgets = &mut ui.visuals_mut().widgets;
+        widgets.inactive.bg_stroke = Stroke::new(theme::STRONG_LINE, color);
+        widgets.hovered.bg_stroke = Stroke::new(theme::STRONG_LINE, color);
+    }
+}
+
+fn note_ui(ui: &mut Ui, note: &Note, about: Id, commands: &mut Vec<Command>) {
+    text::note(ui, note.severity, &note.message(), Some(about));
+    if !note.fixes.is_empty() {
+        ui.horizontal_wrapped(|ui| {
+            let height = ui.spacing().interact_size.y;
+            for fix in &note.fixes {
+                if ui.add(Button::new(fix.label()).min_size(vec2(0.0, height))).clicked() {
+                    commands.push(Command::Fix(note.key, fix.entry.clone()));
+                }
+            }
+        });
+    }
+}
