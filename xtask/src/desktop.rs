@@ -22,7 +22,7 @@ const PACKAGES: &[&str] = &[
     "libxkbcommon-x11-0",
 ];
 
-/// What [`test`] will come to.
+/// What [`test()`] will come to.
 pub(crate) fn plan(asked: bool) -> Plan {
     if !cfg!(target_os = "linux") {
         return Plan::LeaveOut(NOT_LINUX.to_owned());

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use crate::files::collect_files;
 use crate::origin::{cargo_home, nameless};
 use crate::prerequisites::{self, Needs};
-use crate::step::{command, output, root, run, step};
-use crate::{site, tools};
+use crate::step::{command, root, run, step};
+use crate::{compress, site, tools};
 
 /// Bytes on the disk, as measured with `du`.
 pub(crate) const BUILD_BYTES: u64 = 2_000_000_000;
@@ -19,7 +19,12 @@ pub(crate) fn print() -> Result<(), String> {
     collect_files(&dist, &mut files).map_err(|error| format!("dist/ cannot be read: {error}."))?;
     files.sort();
 
-    let compressed = brotli_sizes(&files);
+    // Empty without Node.js, which knows how to compress.
+    let compressed: Vec<u64> = compress::sizes(&files)
+        .unwrap_or_default()
+        .iter()
+        .map(|[_, _, brotli]| *brotli)
+        .collect();
     println!("\n{:>12} {:>12}  file", "bytes", "with brotli");
     let (mut all, mut all_compressed) = (0, 0);
     for (at, file) in files.iter().enumerate() {
@@ -92,12 +97,4 @@ fn write_program_size(dist: &Path) -> Result<(), String> {
     }
     fs::write(&page, html.replace(PLACE, &format!("{PLACE} data-bytes=\"{size}\"")))
         .map_err(|error| format!("dist/index.html cannot be written: {error}."))
-}
-
-/// How large each file is as a good host sends it; empty without Node.js, which knows how to compress.
-fn brotli_sizes(files: &[PathBuf]) -> Vec<u64> {
-    const SCRIPT: &str = "for (const file of process.argv.slice(1))
-        console.log(require('zlib').brotliCompressSync(require('fs').readFileSync(file)).length)";
-    let sizes = output(command("node", &["--eval", SCRIPT]).args(files)).unwrap_or_default();
-    sizes.lines().filter_map(|size| size.parse().ok()).collect()
 }

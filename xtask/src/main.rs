@@ -4,6 +4,7 @@ mod apt;
 mod architecture;
 mod browsers;
 mod check;
+mod compress;
 mod desktop;
 mod dist;
 mod files;

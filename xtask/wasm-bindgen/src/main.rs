@@ -1,11 +1,16 @@
-//! `wasm-bindgen` as Trunk calls it, over the library that the original command is made of.
+//! `wasm-bindgen` as Trunk calls it, over the library that the original command is made of, and then what makes the page's download
+//! smaller without another tool.
 //!
 //! The original brings a test runner, an HTTP client and their dependencies, and its own lock file no longer installs. This
 //! one is built from the workspace's lock file. Its own version must be that of the library, which Trunk compares.
 
-use anyhow::Result;
+mod names;
+mod order;
+
+use anyhow::{Context as _, Result};
 use clap::{Parser, ValueEnum};
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 use wasm_bindgen_cli_support::Bindgen;
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -41,10 +46,28 @@ fn main() -> Result<()> {
         Target::NoModules => bindgen.no_modules(true)?,
     };
     bindgen
-        .input_path(options.input)
+        .input_path(&options.input)
         .out_name(&options.out_name)
         .typescript(!options.no_typescript)
         .keep_debug(options.keep_debug)
         .demangle(!options.no_demangle)
-        .generate(options.out_dir)
+        .generate(&options.out_dir)?;
+    if options.keep_debug {
+        return Ok(());
+    }
+    shrink(&options.out_dir, &options.out_name)
+}
+
+/// Makes the module and the script in `folder` smaller, and writes the names of the functions beside them, a line each in their order,
+/// for whoever wants to know what the module consists of.
+fn shrink(folder: &Path, name: &str) -> Result<()> {
+    let place = |end: &str| folder.join(format!("{name}{end}"));
+    let module = fs::read(place("_bg.wasm")).context("the module cannot be read")?;
+    let script = fs::read_to_string(place(".js")).context("the script cannot be read")?;
+    let short = names::short(&module, &script)?;
+    let ordered = order::ordered(&module, &short)?;
+    fs::write(place("_bg.wasm"), ordered.module)?;
+    fs::write(place(".js"), names::shortened(&script, &short))?;
+    fs::write(place("_bg.names"), ordered.names.join("\n"))?;
+    Ok(())
 }
