@@ -6,6 +6,7 @@
 
 use depth_calculator::app::{App, Licenses, Platform};
 use depth_calculator::core::problem::Field;
+use depth_text::fields;
 use depth_text::form::{Example, Inputs};
 use divan::Bencher;
 use eframe::App as _;
@@ -120,7 +121,7 @@ impl Program {
     }
 
     fn disparity(&self) -> (NodeId, Option<String>) {
-        let (id, node) = self.field(Field::Disparity.name()).unwrap();
+        let (id, node) = self.field(fields::DISPARITY.name).unwrap();
         (*id, node.value().map(str::to_owned))
     }
 

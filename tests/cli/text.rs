@@ -104,66 +104,69 @@ fn large_and_small_distances_are_written_out() {
     assert_eq!(first("--fx 700 --baseline 0.05mm --disparity 50"), "0.0007000 m (stereo)");
 }
 
+/// The lengths of the mug, by unit.
+const LENGTHS: [(&str, [&str; 6]); 5] = [
+    (
+        "mm",
+        [
+            "1400 ± 15 mm",
+            "1384 to 1416 mm",
+            "· 100 mm /",
+            "1373 to 1429 mm",
+            "= 300 mm",
+            "300.0 mm",
+        ],
+    ),
+    (
+        "cm",
+        [
+            "140.0 ± 1.5 cm",
+            "138.4 to 141.6 cm",
+            "· 10 cm /",
+            "137.3 to 142.9 cm",
+            "= 30 cm",
+            "30.00 cm",
+        ],
+    ),
+    (
+        "m",
+        [
+            "1.400 ± 0.015 m",
+            "1.384 to 1.416 m",
+            "· 0.1 m /",
+            "1.373 to 1.429 m",
+            "= 0.3 m",
+            "0.3000 m",
+        ],
+    ),
+    (
+        "in",
+        [
+            "55.12 ± 0.61 in",
+            "54.49 to 55.76 in",
+            "· 3.9370079 in /",
+            "54.04 to 56.24 in",
+            "= 11.811024 in",
+            "11.81 in",
+        ],
+    ),
+    (
+        "ft",
+        [
+            "4.593 ± 0.051 ft",
+            "4.541 to 4.647 ft",
+            "· 0.32808399 ft /",
+            "4.503 to 4.687 ft",
+            "= 0.98425197 ft",
+            "0.9843 ft",
+        ],
+    ),
+];
+
 #[test]
 fn every_length_of_the_text_is_in_the_unit_asked_for_and_json_in_meters() {
     let arguments = format!("{MUG} {SIGMAS} {TWIN}");
-    for (unit, lengths) in [
-        (
-            "mm",
-            [
-                "1400 ± 15 mm",
-                "1384 to 1416 mm",
-                "· 100 mm /",
-                "1373 to 1429 mm",
-                "= 300 mm",
-                "300.0 mm",
-            ],
-        ),
-        (
-            "cm",
-            [
-                "140.0 ± 1.5 cm",
-                "138.4 to 141.6 cm",
-                "· 10 cm /",
-                "137.3 to 142.9 cm",
-                "= 30 cm",
-                "30.00 cm",
-            ],
-        ),
-        (
-            "m",
-            [
-                "1.400 ± 0.015 m",
-                "1.384 to 1.416 m",
-                "· 0.1 m /",
-                "1.373 to 1.429 m",
-                "= 0.3 m",
-                "0.3000 m",
-            ],
-        ),
-        (
-            "in",
-            [
-                "55.12 ± 0.61 in",
-                "54.49 to 55.76 in",
-                "· 3.9370079 in /",
-                "54.04 to 56.24 in",
-                "= 11.811024 in",
-                "11.81 in",
-            ],
-        ),
-        (
-            "ft",
-            [
-                "4.593 ± 0.051 ft",
-                "4.541 to 4.647 ft",
-                "· 0.32808399 ft /",
-                "4.503 to 4.687 ft",
-                "= 0.98425197 ft",
-                "0.9843 ft",
-            ],
-        ),
-    ] {
+    for (unit, lengths) in LENGTHS {
         let (lines, _) = text(&format!("calculate {arguments} --unit {unit}"));
         let all = lines.join("\n");
         for length in lengths {

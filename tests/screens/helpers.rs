@@ -63,7 +63,9 @@ fn a_mistake_in_a_helper_is_said_at_its_field() {
     let data = field.accesskit_node();
     assert!(data.data().invalid().is_some());
     assert_eq!(data.data().described_by().len(), 1);
-    let note = program.harness.get_by_label("⚠ “three” is not a number. Type a number above zero, such as 3 µm.");
+    let note = program
+        .harness
+        .get_by_label("⚠ “three” is not a number. Type a number above zero, such as 3 µm.");
     assert_eq!(note.accesskit_node().live(), egui::accesskit::Live::Polite);
 }
 

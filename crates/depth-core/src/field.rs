@@ -1,4 +1,4 @@
-//! [`Field`]: the inputs, by the names that people know them by.
+//! [`Field`]: the inputs of a distance.
 
 use crate::quantity::{Length, LengthUnit};
 
@@ -30,60 +30,6 @@ impl Field {
         Self::ImageWidth,
         Self::RealWidth,
     ];
-
-    /// The name people and tests look for.
-    ///
-    /// ```
-    /// use depth_core::field::Field;
-    ///
-    /// assert_eq!(Field::Disparity.name(), "Disparity (d)");
-    /// ```
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::FocalLength => "Focal length (fx)",
-            Self::Baseline => "Camera baseline (b)",
-            Self::Disparity => "Disparity (d)",
-            Self::Doffs => "Principal point offset (doffs)",
-            Self::ImageWidth => "Object width in image (w_img)",
-            Self::RealWidth => "Object real width (w_real)",
-        }
-    }
-
-    /// The symbol in the formulas.
-    ///
-    /// ```
-    /// use depth_core::field::Field;
-    ///
-    /// assert_eq!(Field::RealWidth.symbol(), "w_real");
-    /// ```
-    pub const fn symbol(self) -> &'static str {
-        match self {
-            Self::FocalLength => "fx",
-            Self::Baseline => "b",
-            Self::Disparity => "d",
-            Self::Doffs => "doffs",
-            Self::ImageWidth => "w_img",
-            Self::RealWidth => "w_real",
-        }
-    }
-
-    /// The field in the middle of a sentence.
-    ///
-    /// ```
-    /// use depth_core::field::Field;
-    ///
-    /// assert_eq!(Field::Baseline.noun(), "the baseline");
-    /// ```
-    pub const fn noun(self) -> &'static str {
-        match self {
-            Self::FocalLength => "the focal length",
-            Self::Baseline => "the baseline",
-            Self::Disparity => "the disparity",
-            Self::Doffs => "doffs",
-            Self::ImageWidth => "the width in the image",
-            Self::RealWidth => "the real width",
-        }
-    }
 
     /// Whether the field is a length (with a choice of unit) rather than a number of pixels.
     ///

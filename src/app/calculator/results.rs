@@ -9,6 +9,7 @@ use crate::core::agreement::{Suspect, Verdict};
 use crate::core::problem::{Comparison, Method, Solution};
 use crate::core::quantity::LengthUnit;
 use depth_text::assess::Unknown;
+use depth_text::field::Key;
 use depth_text::report;
 use depth_text::sentences::Statement;
 use egui::accesskit::Role;
@@ -39,7 +40,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     if let Some(unknown) = &assessment.unknown {
         let inputs = &cx.session.inputs;
         let unit = inputs.unknown.and_then(|(_, field)| assessment.length_unit(field, inputs));
-        card(ui, unknown.field.name(), |ui| solved_ui(ui, unknown, unit));
+        card(ui, Key::from(unknown.field).name, |ui| solved_ui(ui, unknown, unit));
     }
     let mut shown: Vec<Shown<'_>> = Method::ALL
         .into_iter()
@@ -141,7 +142,7 @@ fn solved_ui(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
     let palette = theme::palette(ui);
     text::badge(
         ui,
-        &format!("{}: {}", unknown.method.name(), unknown.field.name()),
+        &format!("{}: {}", unknown.method.name(), Key::from(unknown.field).name),
         palette.green,
         palette.green_tint,
     );
@@ -153,7 +154,7 @@ fn solved_ui(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
     };
     let response = ui.label(RichText::new(words).font(theme::strong(size)).color(palette.text));
     text::announce(ui, &response);
-    ui.accesskit_node_builder(response.id, |node| node.set_description(unknown.field.name()));
+    ui.accesskit_node_builder(response.id, |node| node.set_description(Key::from(unknown.field).name));
 }
 
 fn card(ui: &mut Ui, name: &str, add_contents: impl FnOnce(&mut Ui)) {
@@ -213,7 +214,7 @@ fn result_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
 fn empty_ui(ui: &mut Ui, unit: LengthUnit) {
     number(ui, depth_text::number::NO_NUMBER, unit.symbol(), "Distance");
     for method in Method::ALL {
-        let [first, second, third] = method.fields().map(|field| field.symbol());
+        let [first, second, third] = method.fields().map(|field| Key::from(field).symbol);
         text::caption(
             ui,
             format!("{}: {} needs {first}, {second} and {third}.", method.name(), method.formula()),

@@ -8,6 +8,7 @@ use crate::app::widgets::text;
 use crate::core::problem::{Field, Method};
 use crate::core::quantity::LengthUnit;
 use depth_text::assess::Unknown;
+use depth_text::field::Key;
 use depth_text::fields;
 use depth_text::report;
 use egui::{ComboBox, RichText, Sense, Ui, vec2};
@@ -26,7 +27,7 @@ const CHOICES: [(Method, Field); 7] = [
 ];
 
 fn name((method, field): (Method, Field)) -> String {
-    format!("{}: {}", method.name(), field.name())
+    format!("{}: {}", method.name(), Key::from(field).name)
 }
 
 /// Draws the choice and the distance, where something else than the distance is solved for.
