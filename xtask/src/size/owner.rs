@@ -1,7 +1,15 @@
 //! Whose a function is, by its name.
 
 /// The crates of this workspace that can be a part of the page, as their names stand in code.
-const OWN: &[&str] = &["depth_calculator", "depth_core", "depth_text", "depth_jobs", "egui_mirror"];
+const OWN: &[&str] = &[
+    "depth_calculator",
+    "depth_core",
+    "depth_text",
+    "depth_files",
+    "depth_vision",
+    "depth_jobs",
+    "egui_mirror",
+];
 /// What comes with Rust.
 const STD: &[&str] = &["core", "alloc", "std", "compiler_builtins", "dlmalloc", "__rustc"];
 

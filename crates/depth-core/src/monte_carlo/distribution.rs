@@ -119,7 +119,7 @@ fn histogram(sorted: &[f64], infinite: u32) -> Option<Histogram> {
     })
 }
 
-/// A number of draws; [`MonteCarlo::drawn`](super::MonteCarlo::drawn) is a u32, and so is every part of it.
+/// A number of draws; [`Distribution::drawn`] is a u32, and so is every part of it.
 pub(super) fn count(n: usize) -> u32 {
     u32::try_from(n).unwrap_or(u32::MAX)
 }
