@@ -4,7 +4,7 @@ import { setTimeout as sleep } from 'node:timers/promises';
 import { PNG } from 'pngjs';
 import { Key } from 'selenium-webdriver';
 import { startEngine } from './engines/index.mjs';
-import { startServer } from './server.mjs';
+import { EMPTY, startServer } from './server.mjs';
 
 export const STORAGE_KEY = 'depth-calculator/v1';
 const MIRROR = '#accessible-mirror';
@@ -174,10 +174,8 @@ export class Page {
 
   /** Replaces what the page keeps, before its next start. */
   async store(text) {
-    await this.driver.get(`${this.server.origin}/nothing-here`);
+    await this.driver.get(`${this.server.origin}${EMPTY}`);
     await this.run('localStorage.setItem(arguments[0], arguments[1])', STORAGE_KEY, text);
-    // What the browser says about this place, which is not the page.
-    await this.consoleProblems();
   }
 
   /** What is shown of the page around the mirror with this role, of HTML or ARIA, and a name like this; undefined if nothing is. */

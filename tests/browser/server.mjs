@@ -12,6 +12,9 @@ const DIST = path.resolve(settings.dist ?? '.');
 /** The page must work from any folder. */
 const BASE = '/some/folder/';
 
+/** A page with nothing on it, of the same origin. */
+export const EMPTY = '/empty';
+
 const TYPES = {
   '.css': 'text/css; charset=utf-8',
   '.html': 'text/html; charset=utf-8',
@@ -69,6 +72,12 @@ export async function startServer() {
   async function answer(request, response) {
     try {
       const { pathname } = new URL(request.url, 'http://host');
+      if (pathname === EMPTY) {
+        // With an icon of its own: what the browser says about one that is missing would come at any time.
+        response.setHeader('content-type', TYPES['.html']);
+        response.end('<!doctype html><title>Nothing</title><link rel="icon" href="data:,">');
+        return;
+      }
       const name = pathname.startsWith(BASE) ? pathname.slice(BASE.length) || 'index.html' : undefined;
       const file = name && path.join(DIST, name);
       if (!file?.startsWith(DIST + path.sep)) throw new Error('outside');
