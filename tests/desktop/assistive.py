@@ -31,7 +31,8 @@ class Screen:
     def __init__(self):
         for attempt in range(ATTEMPTS):
             read, write = os.pipe()
-            command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x1000x24", "-nolisten", "tcp"]
+            # Without -noreset it starts anew whenever its last client leaves, and refuses who comes just then.
+            command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x1000x24", "-nolisten", "tcp", "-noreset"]
             self.process = subprocess.Popen(command, pass_fds=[write])
             os.close(write)
             with os.fdopen(read) as number:

@@ -1,6 +1,7 @@
 //! The form: numbers and units typed into fields, what is said of them, and the buttons below.
 
 use crate::program::{B, D, FX, Program, W_IMG, W_REAL};
+use depth_text::field::Key as FieldKey;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -136,4 +137,21 @@ fn an_error_makes_nothing_else_in_the_form_another_thing() {
     let field = program.harness.get_by_role_and_label(Role::NumberInput, FX);
     assert!(field.accesskit_node().data().invalid().is_some());
     assert_eq!(ids(&program), before);
+}
+
+#[test]
+fn every_field_of_the_table_that_has_a_section_is_in_the_form_and_in_the_accessible_tree() {
+    let mut program = Program::new();
+    program.press("Add uncertainty");
+    for key in FieldKey::form().filter(|key| !key.is_optional) {
+        let field = program.input(key.name);
+        let node = field.accesskit_node();
+        let description = node.data().description().unwrap_or_default().to_owned();
+        assert!(description.starts_with(key.hint), "{}: {description}", key.name);
+        if key.is_length() {
+            assert_eq!(program.unit(key.name), key.kind.length_unit().unwrap().symbol());
+        }
+        let sigma = format!("Uncertainty of {}", key.name);
+        assert_eq!(program.harness.query_by_label(&sigma).is_some(), key.has_sigma, "{sigma}");
+    }
 }

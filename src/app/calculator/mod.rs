@@ -22,7 +22,6 @@ use depth_text::geometry::Geometry;
 use depth_text::note::Severity;
 use depth_text::report;
 use depth_text::sentences::Statement;
-use depth_text::ways::WayResult;
 use egui::{Align, Id, Pos2, Rect, RichText, Ui, UiBuilder};
 
 /// State of the screen between frames, beside the inputs.
@@ -34,8 +33,8 @@ pub struct Calculator {
     pub helper: Option<Helper>,
     /// Range, tilt and ground plane.
     geometry: Geometry,
-    /// What comes of the way that is chosen in the open helper, with the key of the way.
-    way: Option<(&'static str, WayResult)>,
+    /// What comes of what was typed into the open helper.
+    solved: helpers::Solved,
     reveal: Reveal,
     curve: curve::Curve,
     simulations: uncertainty::Simulations,
@@ -80,7 +79,7 @@ impl Calculator {
             });
         }
         if let Some(helper) = self.helper {
-            helpers::ui(ui, cx, helper, self.way.as_ref());
+            helpers::ui(ui, cx, helper, &self.solved);
         }
     }
 
@@ -90,7 +89,9 @@ impl Calculator {
             self.reveal = Reveal::No;
         }
         self.geometry = Geometry::assess(&cx.settings.entries, &cx.session.assessment().solution);
-        self.way = self.helper.and_then(|helper| helpers::solve(helper, cx.settings));
+        if let Some(helper) = self.helper {
+            self.solved = helpers::Solved::new(helper, cx.settings);
+        }
         if self.simulations.advance(cx.session.assessment()) {
             cx.egui.request_repaint();
         }

@@ -10,9 +10,11 @@ use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::{scroll, text};
 use crate::core::camera::SENSOR_FORMATS;
+use crate::core::q_matrix::StereoGeometry;
 use crate::core::quantity::LengthUnit;
 use depth_text::entry::Entry;
 use depth_text::fields;
+use depth_text::note::Issue;
 use depth_text::number::{plain, significant};
 use depth_text::ways::{DISPARITIES, FOCAL_LENGTHS, Way, WayResult};
 use egui::{Button, ComboBox, RichText, Stroke, Ui, vec2};
@@ -43,7 +45,7 @@ const fn ways(helper: Helper) -> &'static [Way] {
 const Q_MATRIX: &str = "A Q matrix of stereoRectify";
 
 /// Draws the helper over the screen.
-pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: Option<&(&'static str, WayResult)>) {
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: &Solved) {
     let frame = DialogFrame {
         id: "helper",
         title: title(helper),
@@ -56,12 +58,8 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: Option<&
         scroll::up_to(ui, ui.ctx().content_rect().height() - 180.0, |ui| {
             let way = way_choice_ui(ui, helper, &mut cx.settings.ways);
             match way {
-                Some(way) => {
-                    // Of another way, where one has just been chosen: nothing, until the next frame.
-                    let result = solved.filter(|(key, _)| *key == way.key).map(|(_, result)| result.clone());
-                    way_ui(ui, cx, way, &result.unwrap_or_default());
-                }
-                None => q_matrix::ui(ui, cx),
+                Some(way) => way_ui(ui, cx, way, solved.of_way(way)),
+                None => q_matrix::ui(ui, cx, solved.q_matrix.as_ref()),
             }
         });
         ui.add_space(theme::STEP);
@@ -87,10 +85,37 @@ fn chosen(helper: Helper, made: &Ways) -> (&'static str, &'static str) {
     same.or(choices.first()).copied().unwrap_or_default()
 }
 
-/// What comes of the way chosen in `helper`, with its key; `None` for the Q matrix.
-pub fn solve(helper: Helper, settings: &Settings) -> Option<(&'static str, WayResult)> {
-    let way = Way::named(ways(helper), chosen(helper, &settings.ways).0)?;
-    Some((way.key, way.solve(&settings.entries)))
+/// What comes of what was typed into a helper, worked out before it is drawn.
+#[derive(Debug, Default)]
+pub struct Solved {
+    /// The key of the way that was chosen.
+    way: &'static str,
+    result: WayResult,
+    /// `None` where no matrix was typed.
+    q_matrix: Option<Result<StereoGeometry, Issue>>,
+}
+
+impl Solved {
+    /// What comes of the choice in `helper`.
+    pub fn new(helper: Helper, settings: &Settings) -> Self {
+        let way = Way::named(ways(helper), chosen(helper, &settings.ways).0);
+        let matrix = settings.entries.entry(fields::Q_MATRIX);
+        Self {
+            way: way.map_or("", |way| way.key),
+            result: way.map(|way| way.solve(&settings.entries)).unwrap_or_default(),
+            q_matrix: (way.is_none() && !matrix.is_blank()).then(|| depth_text::q_matrix::read(&matrix.text)),
+        }
+    }
+
+    /// The result of `way`: nothing where another one was chosen when the frame began.
+    fn of_way(&self, way: &Way) -> &WayResult {
+        static NOTHING: WayResult = WayResult {
+            value: None,
+            readings: Vec::new(),
+            notes: Vec::new(),
+        };
+        if self.way == way.key { &self.result } else { &NOTHING }
+    }
 }
 
 /// The choice among the ways of `helper`. Returns the chosen one; `None` is the Q matrix.

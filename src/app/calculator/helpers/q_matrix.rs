@@ -10,14 +10,14 @@ use crate::core::quantity::LengthUnit;
 use depth_text::entry::Entry;
 use depth_text::fields;
 use depth_text::form::Inputs;
-use depth_text::note::Issue;
-use depth_text::note::Severity;
+use depth_text::note::{Issue, Severity};
 use depth_text::number::{plain, significant};
-use depth_text::q_matrix;
 use egui::{Button, Id, RichText, TextEdit, Ui, vec2};
 
 /// Draws a field for the matrix, and for each unit of the baseline a button that fills in the form.
-pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+///
+/// `read` is what was in the field when the frame began; `None` for nothing.
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, read: Option<&Result<StereoGeometry, Issue>>) {
     let palette = theme::palette(ui);
     let name = ui.label(RichText::new("Q matrix").font(theme::strong(theme::BODY_SIZE)).color(palette.text));
     let typed = &mut cx.settings.entries.entry_mut(fields::Q_MATRIX).text;
@@ -31,14 +31,12 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
         .labelled_by(name.id);
     text::caption(ui, "As numpy prints it, as OpenCV's YAML or XML has it, or as sixteen numbers.");
     ui.add_space(theme::STEP);
-    if typed.trim().is_empty() {
-        return;
-    }
-    match q_matrix::read(typed) {
-        Ok(geometry) => geometry_ui(ui, cx, &geometry, field.id),
-        Err(reason) => {
-            text::note(ui, Severity::Error, &reason.to_string(), Some(field.id));
+    match read {
+        Some(Ok(geometry)) => geometry_ui(ui, cx, geometry, field.id),
+        Some(Err(issue)) => {
+            text::note(ui, Severity::Error, &issue.to_string(), Some(field.id));
         }
+        None => {}
     }
 }
 
