@@ -7,6 +7,7 @@ use super::context::AppContext;
 use super::notice::Notice;
 use super::platform::Event;
 use super::saved::{Saved, Screen};
+use super::sentences::Sentence;
 use super::theme::{self, Layout};
 use super::widgets::field;
 use crate::core::problem::Field;
@@ -38,12 +39,9 @@ impl App {
 
     fn handle(&mut self, ctx: &egui::Context, event: Event) {
         match event {
-            Event::Copied(Ok(())) => self.say("Results copied to the clipboard.", None),
-            Event::Copied(Err(reason)) => self.say(&reason, None),
-            Event::StoredElsewhere => self.say(
-                "Another tab changed what is stored. Both go on; what is changed last is what a reload brings back. To keep these numbers, change something here, or copy them.",
-                None,
-            ),
+            Event::Copied(Ok(())) => self.say(Sentence::Copied, None),
+            Event::Copied(Err(reason)) => self.say(reason, None),
+            Event::StoredElsewhere => self.say(Sentence::StoredElsewhere, None),
             Event::Colors(colors) => {
                 if colors != self.system_colors {
                     self.system_colors = colors;
@@ -97,15 +95,15 @@ impl App {
 
     fn reset(&mut self) {
         if self.session.inputs.is_blank() {
-            self.say("There was nothing to clear.", None);
+            self.say(Sentence::NothingToClear, None);
         } else {
-            self.say("All fields are cleared.", Some(Command::Undo));
+            self.say(Sentence::Cleared, Some(Command::Undo));
         }
         self.session.inputs = Inputs::default();
         self.calculator.marked = false;
     }
 
-    fn open(&mut self, ctx: &egui::Context, inputs: Inputs, said: &str) {
+    fn open(&mut self, ctx: &egui::Context, inputs: Inputs, said: Sentence) {
         let replaced = !self.session.inputs.is_blank();
         self.session.inputs = inputs;
         self.settings.screen = Screen::Calculator;
@@ -118,23 +116,23 @@ impl App {
     fn follow(&mut self, ctx: &egui::Context, fragment: &str) {
         let mut inputs = self.session.inputs.clone();
         if link::apply(fragment, &mut inputs) {
-            self.open(ctx, inputs, "The link filled in the fields that it names.");
+            self.open(ctx, inputs, Sentence::FilledByLink);
         }
     }
 
     fn undo(&mut self) {
         if self.session.undo() {
-            self.say("Undone.", Some(Command::Redo));
+            self.say(Sentence::Undone, Some(Command::Redo));
         } else {
-            self.say("There is nothing to undo.", None);
+            self.say(Sentence::NothingToUndo, None);
         }
     }
 
     fn redo(&mut self) {
         if self.session.redo() {
-            self.say("Done again.", Some(Command::Undo));
+            self.say(Sentence::Redone, Some(Command::Undo));
         } else {
-            self.say("There is nothing to do again.", None);
+            self.say(Sentence::NothingToRedo, None);
         }
     }
 
@@ -152,9 +150,9 @@ impl App {
         ctx.memory_mut(|memory| memory.request_focus(field::id(key)));
     }
 
-    fn say(&mut self, text: &str, action: Option<Command>) {
+    fn say(&mut self, sentence: impl ToString, action: Option<Command>) {
         self.notice = Some(Notice {
-            text: text.to_owned(),
+            text: sentence.to_string(),
             action,
         });
     }
@@ -174,7 +172,9 @@ impl App {
             format!(" {obstacle}")
         };
         self.say(
-            &format!("{reason}{obstacle} The program works, but forgets what you enter when it is closed: copy your results to keep them."),
+            Sentence::Forgetful {
+                reason: format!("{reason}{obstacle}"),
+            },
             None,
         );
     }
@@ -185,7 +185,8 @@ impl App {
             let kept = self.platform.set_aside()?;
             self.holds_unreadable = false;
             if let Some(place) = kept {
-                self.say(&format!("{reason} The old text is kept {place}."), None);
+                let reason = reason.to_owned();
+                self.say(Sentence::SetAside { reason, place }, None);
             }
         }
         Ok(())
@@ -201,14 +202,11 @@ impl App {
             settings: self.settings.clone(),
         };
         let outcome = self
-            .set_aside_unreadable("There is room again for what you enter.")
+            .set_aside_unreadable(&Sentence::RoomAgain.to_string())
             .and_then(|()| self.stored.to_text())
             .and_then(|text| self.platform.save(&text));
         if let Err(reason) = outcome {
-            self.say(
-                &format!("{reason} What you enter now may be gone after a restart: copy your results to keep them."),
-                None,
-            );
+            self.say(Sentence::NotStored { reason }, None);
         }
     }
 }

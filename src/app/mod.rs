@@ -14,6 +14,7 @@ mod navigation;
 mod notice;
 mod platform;
 mod saved;
+mod sentences;
 mod session;
 mod shortcuts;
 mod theme;
@@ -28,6 +29,7 @@ use egui::Ui;
 use notice::Notice;
 pub use platform::{COPY_RESULTS, Event, Licenses, Platform};
 use saved::{Saved, Screen, Settings};
+use sentences::Sentence;
 use session::Session;
 pub use theme::SystemColors;
 use widgets::field;
@@ -59,10 +61,7 @@ impl App {
             Ok(None) => (Saved::default(), None),
             Ok(Some(text)) => match Saved::from_text(&text) {
                 Some(saved) => (saved, None),
-                None => (
-                    Saved::default(),
-                    Some("What was stored last time could not be read, or is of another version, so the program starts fresh.".to_owned()),
-                ),
+                None => (Saved::default(), Some(Sentence::Unreadable.to_string())),
             },
             Err(reason) => (Saved::default(), Some(reason)),
         };

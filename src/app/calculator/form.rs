@@ -4,6 +4,7 @@ use super::unknown;
 use crate::app::command::{Command, Helper};
 use crate::app::context::AppContext;
 use crate::app::platform::COPY_RESULTS;
+use crate::app::sentences::Sentence;
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::text;
@@ -141,7 +142,7 @@ fn examples_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
         for example in Example::ALL {
             if text::link_button(ui, example.name(), cx.layout).clicked() {
                 cx.commands
-                    .push(Command::Open(Box::new(example.inputs()), "The example is filled in."));
+                    .push(Command::Open(Box::new(example.inputs()), Sentence::FilledByExample));
             }
         }
     });

@@ -2,6 +2,7 @@
 
 use crate::app::command::Command;
 use crate::app::context::AppContext;
+use crate::app::sentences::Sentence;
 use crate::app::theme;
 use crate::app::widgets::text;
 use crate::core::problem::Field;
@@ -62,10 +63,7 @@ fn geometry_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, 
             if ui.add(Button::new(label).min_size(vec2(0.0, height))).clicked() {
                 let filled = filled_in(&cx.session.inputs, geometry, unit);
                 cx.commands.push(Command::PrincipalPoint(geometry.cx, geometry.cy));
-                cx.commands.push(Command::Open(
-                    Box::new(filled),
-                    "The Q matrix filled in focal length, baseline and doffs.",
-                ));
+                cx.commands.push(Command::Open(Box::new(filled), Sentence::FilledByQMatrix));
             }
         }
     });
