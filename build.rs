@@ -1,11 +1,10 @@
-//! Takes the Learn text apart before the program is compiled, so that nobody has to download a Markdown parser with it, and gives
-//! the program for Windows its icon.
+//! Parses assets/learn.md at build time, so that the wasm needs no Markdown parser, and gives the program for Windows its icon.
 //!
 //! Writes `learn.rs` into the build's folder: one expression, the blocks of `src/app/learn/document.rs`.
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("cargo::rerun-if-changed=build.rs");
-    // The mathematics alone has no text to show.
+    // Without the application there is no Learn text to show.
     #[cfg(feature = "app")]
     {
         learn::write()?;

@@ -276,8 +276,8 @@ it('the fields hold what the program computes with, the table what it computes',
 
   // What a field shows, what is stored, and what the next start shows is the same.
   const stored = JSON.parse(await until('the storage', () => page.stored()));
-  assert.equal(await page.value('Focal length (fx)'), stored.inputs.focal_length.text);
-  assert.equal(await page.value('Disparity (d)'), stored.inputs.disparity.text);
+  assert.equal(await page.value('Focal length (fx)'), stored.inputs.entries.fx.text);
+  assert.equal(await page.value('Disparity (d)'), stored.inputs.entries.d.text);
   const headings = await page.run(`return [...document.querySelectorAll('${MIRROR} :is(h1, h2)')].map((one) => one.textContent)`);
   assert.deepEqual(headings.slice(0, 5), ['Depth Calculator', 'Camera', 'Stereo', 'Monocular', 'Results']);
 });

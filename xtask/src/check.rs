@@ -26,7 +26,7 @@ const CHECKS: &[Check] = &[
         work: || run(&mut cargo(&["fmt", "--all", "--check"])),
     },
     Check {
-        name: "the mathematics and the formats alone",
+        name: "the library without features",
         work: || run(cargo(&["check"]).args(PROGRAM).args(["--no-default-features", "--lib"])),
     },
     Check {

@@ -8,6 +8,7 @@ use crate::problem;
 use crate::reading::{self, Reading};
 use crate::unit::Unit;
 use depth_core::agreement::Suspect;
+use depth_core::judge;
 use depth_core::measured::Measured;
 use depth_core::problem::{Field, Method, Problem, Solution};
 use depth_core::quantity::{Length, LengthUnit};
@@ -142,7 +143,7 @@ impl Inputs {
             Err(note) if matches!(note.issue, Issue::PixelsForLength { .. }) => return Err(Issue::DistanceInPixels),
             Err(_) => return Err(Issue::NotADistance { text: text() }),
         };
-        if !reading.value.is_normal() || reading.value < 0.0 {
+        if judge::positive(reading.value).is_err() {
             return Err(Issue::NotADistance { text: text() });
         }
         let sigma = if self.with_uncertainty {

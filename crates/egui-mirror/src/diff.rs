@@ -8,7 +8,7 @@ use crate::page::Page;
 /// One step, to be carried out in order.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Edit {
-    /// Take the element away, with all that it still contains.
+    /// Remove the element, with all that it still contains.
     Remove(NodeId),
     /// Make an element, not yet in the page.
     Create(NodeId, &'static str),

@@ -177,11 +177,11 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
         );
     }
     if !known.model.first_order_is_good() {
-        let red = palette.amber;
+        let amber = palette.amber;
         ui.label(
             egui::RichText::new(format!("⚠ {}", report::FIRST_ORDER_IS_POOR))
                 .size(theme::SMALL_SIZE)
-                .color(red),
+                .color(amber),
         );
     }
 }
