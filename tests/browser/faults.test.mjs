@@ -204,8 +204,11 @@ it('two windows do not disturb each other, and the last that was typed is kept',
   await page.frames();
   await page.says(/Another tab changed what is stored\. Both go on; what is changed last is what a reload brings back\./);
   assert.equal(await page.value(FX), '700', 'nobody’s typing is replaced');
-  await page.fill(BASELINE, '100');
-  await until('the first in the storage again', async () => (await page.stored())?.includes('"100"'));
+  // MiniBrowser may leave the keyboard to the second window, where no window manager gives it back: then it is typed again.
+  await until('the first in the storage again', async () => {
+    await page.fill(BASELINE, '100');
+    return (await page.stored())?.includes('"100"');
+  });
   assert.equal(await page.failure(), '');
   await page.reload();
   assert.equal(await page.value(FX), '700');
