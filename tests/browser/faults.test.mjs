@@ -204,7 +204,7 @@ it('two windows do not disturb each other, and the last that was typed is kept',
   await page.frames();
   await page.says(/Another tab changed what is stored\. Both go on; what is changed last is what a reload brings back\./);
   assert.equal(await page.value(FX), '700', 'nobody’s typing is replaced');
-  // MiniBrowser may leave the keyboard to the second window, where no window manager gives it back: then it is typed again.
+  // Once in some twenty runs WebKit's field had the text and the storage did not, for two minutes; why is not known. Typed again, it does.
   await until('the first in the storage again', async () => {
     await page.fill(BASELINE, '100');
     return (await page.stored())?.includes('"100"');
