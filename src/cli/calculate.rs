@@ -50,8 +50,7 @@ impl Calculate {
             return Err(self.what_is_missing().to_string());
         }
         // Half of the other method was given: that is worth a warning, an untouched one is not.
-        let missing = inputs.missing();
-        let missing = missing.iter().filter(|note| assessment.note(note.key).is_none());
+        let missing = assessment.missing.iter().filter(|note| assessment.note(note.key).is_none());
         let mut warnings: Vec<Warning> = assessment.notes.iter().chain(missing).map(Warning::of).collect();
         let unused = self.unused(solution);
         // What there is a better sentence about is not mentioned again.

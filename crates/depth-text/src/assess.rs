@@ -20,6 +20,8 @@ pub struct Assessment {
     pub solution: Solution,
     /// What to say at the fields, in reading order, at most one for each value and one for each σ.
     pub notes: Vec<Note>,
+    /// What is still missing, in reading order: said only when the distance is asked for.
+    pub missing: Vec<Note>,
     /// What was solved for, where it was not the distance.
     pub unknown: Option<Unknown>,
     /// What could be read, in reading order; also what was refused afterwards.
@@ -114,6 +116,7 @@ impl Inputs {
         Assessment {
             solution,
             notes,
+            missing: self.missing(),
             unknown,
             readings,
         }

@@ -62,8 +62,8 @@ fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, key: Key, marked: bool) {
         unknown::solution_ui(ui, unknown, assessment.length_unit(key, inputs));
         return;
     }
-    let missing = if marked { inputs.missing() } else { Vec::new() };
-    let value_note = assessment.note(key).or_else(|| missing.iter().find(|note| note.key == key));
+    let missing = assessment.missing.iter().find(|note| marked && note.key == key);
+    let value_note = assessment.note(key).or(missing);
     let field = Field {
         key,
         reading: assessment.reading(key),

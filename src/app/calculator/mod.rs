@@ -100,14 +100,9 @@ impl Calculator {
     /// Marks every problem, and goes to the first, or to the results where there is none.
     pub fn calculate(&mut self, ctx: &egui::Context, session: &Session) {
         self.marked = true;
-        let errors = session
-            .assessment()
-            .notes
-            .iter()
-            .filter(|note| note.severity == Severity::Error)
-            .map(|note| note.key);
-        let missing = session.inputs.missing();
-        let first = errors.chain(missing.iter().map(|note| note.key)).min();
+        let assessment = session.assessment();
+        let errors = assessment.notes.iter().filter(|note| note.severity == Severity::Error);
+        let first = errors.chain(&assessment.missing).map(|note| note.key).min();
         match first {
             Some(key) => ctx.memory_mut(|memory| memory.request_focus(field::id(key))),
             None => self.reveal_results(ctx),
