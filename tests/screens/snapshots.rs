@@ -54,10 +54,27 @@ impl View {
     /// What is compared of the image of the window.
     fn cut(self, mut image: RgbImage) -> RgbImage {
         let Part::Middle = self.part else { return image };
-        let (left, height) = ((image.width() - DIALOG) / 2, image.height());
-        image::imageops::crop(&mut image, left, 0, DIALOG, height).to_image()
+        let (left, height) = ((image.width() - DIALOG_WIDTH) / 2, image.height());
+        image::imageops::crop(&mut image, left, 0, DIALOG_WIDTH, height).to_image()
     }
 }
+
+/// A screen with all that scrolls.
+const WHOLE: [View; 4] = [DESKTOP_LIGHT, DESKTOP_DARK, PHONE_LIGHT, PHONE_DARK];
+/// What a screen shows first.
+const TOP: [View; 4] = [
+    DESKTOP_LIGHT.only(Part::Window),
+    DESKTOP_DARK.only(Part::Window),
+    PHONE_LIGHT.only(Part::Window),
+    PHONE_DARK.only(Part::Window),
+];
+/// A dialog.
+const DIALOG: [View; 4] = [
+    DESKTOP_LIGHT.only(Part::Middle),
+    DESKTOP_DARK.only(Part::Middle),
+    PHONE_LIGHT.only(Part::Window),
+    PHONE_DARK.only(Part::Window),
+];
 
 /// Compares a screen in several windows. `prepare` brings the program to where it is drawn.
 fn look(screen: &str, views: &[View], prepare: impl Fn(&mut Program)) {
@@ -79,7 +96,7 @@ fn look(screen: &str, views: &[View], prepare: impl Fn(&mut Program)) {
 }
 
 /// Pixels that the widest dialog fits into.
-const DIALOG: u32 = 600;
+const DIALOG_WIDTH: u32 = 600;
 
 /// The program in a window, light or dark.
 fn open(view: View, painter: Painter) -> Program {
@@ -131,12 +148,13 @@ impl Program {
 
 #[test]
 fn the_empty_calculator_looks_as_before() {
-    look("empty", &[DESKTOP_LIGHT, PHONE_DARK.only(Part::Window)], |_| {});
+    look("empty", &TOP, |_| {});
 }
 
 #[test]
 fn the_mug_looks_as_before() {
-    look("mug", &[DESKTOP_LIGHT, PHONE_DARK, TABLET_LIGHT, WIDE_DARK], |program| {
+    let views = [&WHOLE[..], &[TABLET_LIGHT, WIDE_DARK]].concat();
+    look("mug", &views, |program| {
         program.mug();
         program.blur();
     });
@@ -144,7 +162,7 @@ fn the_mug_looks_as_before() {
 
 #[test]
 fn both_methods_with_uncertainty_and_geometry_look_as_before() {
-    look("everything", &[DESKTOP_LIGHT, DESKTOP_DARK, PHONE_DARK], |program| {
+    look("everything", &WHOLE, |program| {
         program.mug();
         program.type_into(W_IMG, "150");
         program.type_into(W_REAL, "0.30");
@@ -185,7 +203,7 @@ fn fill_geometry(program: &mut Program) {
 
 #[test]
 fn errors_and_warnings_look_as_before() {
-    look("errors", &[DESKTOP_LIGHT, PHONE_DARK], |program| {
+    look("errors", &WHOLE, |program| {
         program.type_into(FX, "1,000");
         program.type_into(B, "0.1");
         program.type_into(D, "abc");
@@ -196,7 +214,7 @@ fn errors_and_warnings_look_as_before() {
 
 #[test]
 fn solving_for_another_quantity_looks_as_before() {
-    look("unknown", &[DESKTOP_DARK, PHONE_LIGHT], |program| {
+    look("unknown", &WHOLE, |program| {
         program.type_into(FX, "700");
         program.type_into(B, "100");
         program.press("Solve for another quantity");
@@ -205,16 +223,9 @@ fn solving_for_another_quantity_looks_as_before() {
     });
 }
 
-/// Where a dialog is compared.
-const DIALOG_VIEWS: [View; 3] = [
-    DESKTOP_LIGHT.only(Part::Middle),
-    DESKTOP_DARK.only(Part::Middle),
-    PHONE_DARK.only(Part::Window),
-];
-
 #[test]
 fn the_helper_for_the_focal_length_looks_as_before() {
-    look("focal-length", &DIALOG_VIEWS, |program| {
+    look("focal-length", &DIALOG, |program| {
         program.press("from lens, FOV or Q…");
         program.type_into("Focal length of the lens", "4");
         program.type_into("Pixel pitch", "3");
@@ -224,8 +235,7 @@ fn the_helper_for_the_focal_length_looks_as_before() {
 
 #[test]
 fn the_helper_for_the_disparity_looks_as_before() {
-    let [desktop, _, phone] = DIALOG_VIEWS;
-    look("disparity", &[desktop, phone], |program| {
+    look("disparity", &DIALOG, |program| {
         program.press("OpenCV ×16, doffs…");
         program.choose("What is known", "OpenCV StereoBM or StereoSGBM");
         program.type_into("Stored value", "-16");
@@ -236,8 +246,7 @@ fn the_helper_for_the_disparity_looks_as_before() {
 
 #[test]
 fn a_q_matrix_looks_as_before() {
-    let [desktop, _, phone] = DIALOG_VIEWS;
-    look("q-matrix", &[desktop, phone], |program| {
+    look("q-matrix", &DIALOG, |program| {
         type_q_matrix(program);
         program.blur();
     });
@@ -245,8 +254,7 @@ fn a_q_matrix_looks_as_before() {
 
 #[test]
 fn what_a_q_matrix_filled_in_a_notice_and_a_choice_of_units_look_as_before() {
-    let views = [DESKTOP_LIGHT, PHONE_DARK].map(|view| view.only(Part::Window));
-    look("doffs", &views, |program| {
+    look("doffs", &TOP, |program| {
         type_q_matrix(program);
         program.press("100.000 mm");
         program
@@ -269,20 +277,17 @@ fn type_q_matrix(program: &mut Program) {
 
 #[test]
 fn learn_looks_as_before() {
-    look("learn", &[DESKTOP_DARK.only(Part::Window), PHONE_LIGHT], |program| {
-        program.press("Learn")
-    });
+    look("learn", &TOP, |program| program.press("Learn"));
 }
 
 #[test]
 fn the_keys_look_as_before() {
-    look("keys", &DIALOG_VIEWS, |program| program.press("Keys"));
+    look("keys", &DIALOG, |program| program.press("Keys"));
 }
 
 #[test]
 fn about_looks_as_before() {
-    let views = [DESKTOP_DARK.only(Part::Middle), PHONE_LIGHT.only(Part::Window)];
-    look("about", &views, |program| {
+    look("about", &DIALOG, |program| {
         program.press("Keys");
         program.press("About Depth Calculator");
     });
