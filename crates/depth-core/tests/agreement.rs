@@ -1,6 +1,9 @@
 //! Two distances together: golden figures, the table of special cases, simulated errors, and each typical blunder.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
+mod common;
+
+use common::{NO_DOFFS, assert_near};
 use depth_core::agreement::{Suspect, Verdict, combine, compare, suspects};
 use depth_core::field::Field;
 use depth_core::measured::Measured;
@@ -8,8 +11,6 @@ use depth_core::quantity::{Length, LengthUnit, Pixels, Quantity};
 use depth_core::uncertainty::Model;
 use depth_generators::{any_magnitude, any_relative_sigma};
 use proptest::prelude::*;
-
-const NO_DOFFS: Measured<Pixels> = Measured::exact(Pixels::new(0.0));
 
 fn stereo(f: Measured<Pixels>, b: Measured<Length>, d: Measured<Pixels>) -> Model {
     Model::stereo(f, b, d, NO_DOFFS).unwrap()
@@ -32,10 +33,6 @@ fn pair(z: [f64; 2], r: [f64; 2], rf: f64) -> (Model, Model) {
         stereo(f, Measured::from_base(z[0], z[0] * r[0]), Measured::from_base(1.0, 0.0)),
         monocular(f, Measured::from_base(z[1], z[1] * r[1]), Measured::from_base(1.0, 0.0)),
     )
-}
-
-fn assert_near(value: f64, expected: f64, tolerance: f64) {
-    assert!((value - expected).abs() <= tolerance, "{value} is not {expected} ± {tolerance}");
 }
 
 #[test]

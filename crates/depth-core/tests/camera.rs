@@ -1,14 +1,17 @@
 //! Where a camera's numbers come from: OpenCV's and the makers' figures, exact geometry, every magnitude.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "tests")]
 
+mod common;
+
+use common::{assert_near, px};
 use depth_core::angle::Angle;
 use depth_core::camera::{
-    GroundView, Intrinsics, SENSOR_FORMATS, depth_of_tilted_target, diagonal, field_of_view, focal_length_from_field_of_view,
+    GroundView, Intrinsics, depth_of_tilted_target, diagonal, field_of_view, focal_length_from_field_of_view,
     focal_length_from_pixel_pitch, focal_length_from_reference_photo, focal_length_from_sensor_width, pixel_size,
 };
 use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
-use depth_core::quantity::{Length, LengthUnit, Pixels};
+use depth_core::quantity::{Length, LengthUnit};
 use depth_generators::any_sign_and_magnitude;
 use proptest::prelude::*;
 
@@ -16,16 +19,8 @@ fn mm(value: f64) -> Length {
     Length::new(value, LengthUnit::Millimeter)
 }
 
-fn px(value: f64) -> Pixels {
-    Pixels::new(value)
-}
-
 fn degrees(value: f64) -> Angle {
     Angle::from_degrees(value)
-}
-
-fn assert_near(value: f64, expected: f64, tolerance: f64) {
-    assert!((value - expected).abs() <= tolerance, "{value} is not {expected} ± {tolerance}");
 }
 
 /// K = [700 0 610; 0 705 350], 1280 × 720.
@@ -269,23 +264,6 @@ fn above_the_horizon_there_is_no_floor() {
         })
     );
     assert_eq!(flat.horizon_row(), None);
-}
-
-#[test]
-fn an_inch_of_a_sensor_format_is_about_16_mm_of_diagonal() {
-    for format in SENSOR_FORMATS {
-        let Some(fraction) = format.name.strip_suffix('″').or((format.name == "4/3").then_some("4/3")) else {
-            continue;
-        };
-        let (whole, part) = fraction.split_once('/').unwrap_or((fraction, "1"));
-        let inches = whole.parse::<f64>().unwrap() / part.parse::<f64>().unwrap();
-        let per_inch = format.width_mm.hypot(format.height_mm) / inches;
-        // Sensors up to 1/2.3″ are traditionally named by 18 mm to the inch, larger ones by 16.
-        assert!((15.8..18.3).contains(&per_inch), "{}: {per_inch}", format.name);
-    }
-    assert!(SENSOR_FORMATS.windows(2).all(|pair| pair[0].width_mm < pair[1].width_mm));
-    let name = |name| SENSOR_FORMATS.iter().find(|format| format.name == name).unwrap();
-    assert_eq!((name("Full frame").width_mm, name("Full frame").height_mm), (36.0, 24.0));
 }
 
 proptest! {

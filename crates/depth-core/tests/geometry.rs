@@ -1,20 +1,15 @@
 //! The other ways to a distance: a point in space, a tilted target, the floor.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
+mod common;
+
+use common::{assert_near, px};
 use depth_core::angle::Angle;
 use depth_core::camera::{GroundView, Intrinsics, PointView, TiltedTarget, resized_focal_length};
 use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
-use depth_core::quantity::{Length, Pixels};
+use depth_core::quantity::Length;
 use proptest::prelude::*;
-
-fn px(value: f64) -> Pixels {
-    Pixels::new(value)
-}
-
-fn assert_near(value: f64, expected: f64, tolerance: f64) {
-    assert!((value - expected).abs() <= tolerance, "{value} is not {expected} ± {tolerance}");
-}
 
 /// 300 columns and 400 rows off the axis at f = 700 px, 1.4 m deep.
 fn point_view() -> PointView {
