@@ -9,6 +9,7 @@ use depth_text::entry::Entry;
 use depth_text::field::Key;
 use depth_text::fields;
 use depth_text::form::Inputs;
+use depth_text::names::Named as _;
 use depth_text::note::{Part, Severity};
 use depth_text::sentences::CommandLine;
 

@@ -5,6 +5,7 @@ use crate::core::agreement::Verdict;
 use crate::core::problem::{Field, Method, Solution, Uncertainty};
 use crate::core::quantity::{Length, LengthUnit};
 use depth_text::assess::Assessment;
+use depth_text::names::Named as _;
 use depth_text::report;
 use depth_text::sentences::Statement;
 

@@ -155,30 +155,3 @@ pub fn from_columns(x_left: Measured<Pixels>, x_right: Measured<Pixels>) -> Meas
 pub fn doffs(cx_left: Measured<Pixels>, cx_right: Measured<Pixels>) -> Measured<Pixels> {
     from_columns(cx_right, cx_left)
 }
-
-/// A standard deviation that somebody states for the disparities of a matcher.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MatchingError {
-    /// One standard deviation.
-    pub sigma: Pixels,
-    /// Who states it, and of what.
-    pub source: &'static str,
-}
-
-/// Matching errors that people state, smallest first, to choose a σ of the disparity from.
-pub const MATCHING_ERRORS: [MatchingError; 7] = [
-    matching_error(0.08, "RealSense on good texture (librealsense #3904)"),
-    matching_error(0.15, "Point Grey, by mask size 0.10 to 0.18"),
-    matching_error(0.2, "Point Grey (knowledge base 10102)"),
-    matching_error(0.25, "common (Carnegie Robotics)"),
-    matching_error(0.4, "mrcal, 0.3 to 0.5"),
-    matching_error(0.5, "limit (Carnegie Robotics)"),
-    matching_error(1.3, "mrcal with a poor lens model"),
-];
-
-const fn matching_error(sigma_px: f64, source: &'static str) -> MatchingError {
-    MatchingError {
-        sigma: Pixels::new(sigma_px),
-        source,
-    }
-}

@@ -31,17 +31,6 @@ impl Field {
         Self::RealWidth,
     ];
 
-    /// Whether the field is a length (with a choice of unit) rather than a number of pixels.
-    ///
-    /// ```
-    /// use depth_core::field::Field;
-    ///
-    /// assert!(Field::Baseline.is_length() && !Field::Disparity.is_length());
-    /// ```
-    pub const fn is_length(self) -> bool {
-        matches!(self, Self::Baseline | Self::RealWidth)
-    }
-
     /// The range outside which a value deserves a warning, in px or meters.
     ///
     /// Wide on purpose: the presets of real cameras lie far inside; a value outside is nearly always a slip of the unit.
@@ -78,7 +67,7 @@ impl Field {
     }
 }
 
-/// The first unit in which `typed` would be a usual value of `field`, if it is not one in the unit it was typed in.
+/// The first unit in which `typed` would be a usual value of `field`, a length, if it is not one in the unit it was typed in.
 ///
 /// ```
 /// use depth_core::field::{Field, better_unit};
@@ -96,7 +85,7 @@ pub fn better_unit(field: Field, typed: f64, unit: LengthUnit) -> Option<LengthU
         LengthUnit::Foot,
     ];
     let usual = |unit| field.is_usual(Length::new(typed, unit).m());
-    if !field.is_length() || usual(unit) {
+    if usual(unit) {
         return None;
     }
     LIKELIEST_FIRST.into_iter().find(|&candidate| usual(candidate))

@@ -43,32 +43,4 @@ impl Method {
             Self::Monocular => [Field::ImageWidth, Field::RealWidth],
         }
     }
-
-    /// "Stereo" or "Monocular".
-    ///
-    /// ```
-    /// use depth_core::problem::Method;
-    ///
-    /// assert_eq!(Method::Stereo.name(), "Stereo");
-    /// ```
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Stereo => "Stereo",
-            Self::Monocular => "Monocular",
-        }
-    }
-
-    /// The formula with its symbols.
-    ///
-    /// ```
-    /// use depth_core::problem::Method;
-    ///
-    /// assert_eq!(Method::Stereo.formula(), "D = fx · b / d");
-    /// ```
-    pub const fn formula(self) -> &'static str {
-        match self {
-            Self::Stereo => "D = fx · b / d",
-            Self::Monocular => "D = w_real · fx / w_img",
-        }
-    }
 }

@@ -58,13 +58,13 @@ impl Kind {
         }
     }
 
-    /// The name of the unit in which results are computed; empty where there is none.
-    pub const fn base_unit(self) -> &'static str {
+    /// The unit in which values are computed; `None` where there are no units.
+    pub const fn base_unit(self) -> Option<Unit> {
         match self {
-            Self::Pixels => "pixels",
-            Self::Length(_) | Self::Pitch => "meters",
-            Self::Angle => "radians",
-            Self::Count | Self::Plain | Self::Text => "",
+            Self::Pixels => Some(Unit::Pixel),
+            Self::Length(_) | Self::Pitch => Some(Unit::Length(LengthUnit::Meter)),
+            Self::Angle => Some(Unit::Radian),
+            Self::Count | Self::Plain | Self::Text => None,
         }
     }
 

@@ -2,6 +2,7 @@
 
 use crate::assess::Unknown;
 use crate::field::Key;
+use crate::names::{self, Named};
 use crate::number::{self, NO_NUMBER, plain, significant};
 use crate::sentences::Statement;
 use depth_core::problem::{Field, Method, Solution, Uncertainty};
@@ -32,10 +33,7 @@ pub fn one_pixel_around(solution: &Solution, unit: LengthUnit) -> Option<String>
 
 /// The formula of `method` with its symbols, with doffs where there is one.
 pub fn formula(solution: &Solution, method: Method) -> &'static str {
-    match (method, solution.problem.doffs) {
-        (Method::Stereo, Some(_)) => "D = fx · b / (d + doffs)",
-        _ => method.formula(),
-    }
+    names::formula(method, solution.problem.doffs.is_some())
 }
 
 /// The formula of `method` with the current numbers and its result in meters, or `None` while an input is missing:
@@ -84,7 +82,7 @@ pub fn parameter_rows(solution: &Solution) -> Vec<Row> {
         Some(Row {
             parameter: key.spec().name,
             value: value.map_or_else(|| NO_NUMBER.to_owned(), plain),
-            unit: key.kind.base_unit(),
+            unit: key.kind.base_unit().map_or("", Named::name),
             description: key.spec().description,
         })
     });

@@ -76,3 +76,9 @@ impl Unit {
         }
     }
 }
+
+impl From<LengthUnit> for Unit {
+    fn from(unit: LengthUnit) -> Self {
+        Self::Length(unit)
+    }
+}

@@ -5,6 +5,7 @@ use depth_core::problem::Field;
 use depth_core::quantity::LengthUnit;
 use depth_text::entry::Entry;
 use depth_text::export::{Exporter as _, Results, Text};
+use depth_text::field::Key;
 use depth_text::fields::TABLE;
 use depth_text::form::Inputs;
 use depth_text::sentences::Statement;
@@ -41,7 +42,7 @@ proptest! {
     ) {
         let mut inputs = Inputs::default();
         for (field, text) in Field::ALL.into_iter().zip(&texts) {
-            *inputs.entry_mut(field) = Entry::new(text.clone(), field.is_length().then_some(baseline_unit));
+            *inputs.entry_mut(field) = Entry::new(text.clone(), Key::from(field).is_length().then_some(baseline_unit));
         }
         let assessment = inputs.assess();
         let rows = report::parameter_rows(&assessment.solution);
@@ -68,7 +69,7 @@ proptest! {
     fn corrections_correct(text in typed_text(), unit in unit()) {
         for field in Field::ALL {
             let mut inputs = Inputs::default();
-            *inputs.entry_mut(field) = Entry::new(text.clone(), field.is_length().then_some(unit));
+            *inputs.entry_mut(field) = Entry::new(text.clone(), Key::from(field).is_length().then_some(unit));
             let Some(note) = inputs.assess().note(field).cloned() else { continue };
             for fix in &note.fixes {
                 let mut fixed = inputs.clone();

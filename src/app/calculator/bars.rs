@@ -5,6 +5,7 @@ use crate::app::widgets::{picture, plot};
 use crate::core::problem::{Method, Solution};
 use crate::core::quantity::{Length, LengthUnit};
 use crate::core::uncertainty::Interval;
+use depth_text::names::Named as _;
 use depth_text::{number, report};
 use egui::{Align2, RichText, Stroke, Ui};
 use egui_plot::{Bar, BarChart, GridMark, Line, PlotPoint, PlotPoints, PlotUi, Text};

@@ -8,7 +8,7 @@ use crate::app::sentences::Sentence;
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::text;
-use crate::core::disparity::MATCHING_ERRORS;
+use depth_text::choices::MATCHING_ERRORS;
 use depth_text::field::{Key, Section};
 use depth_text::fields;
 use depth_text::form::Example;

@@ -10,6 +10,7 @@ use crate::core::problem::{Comparison, Method, Solution};
 use crate::core::quantity::LengthUnit;
 use depth_text::assess::Unknown;
 use depth_text::field::Key;
+use depth_text::names::{self, Named as _};
 use depth_text::report;
 use depth_text::sentences::Statement;
 use egui::accesskit::Role;
@@ -92,7 +93,7 @@ enum Shown<'a> {
 }
 
 impl Shown<'_> {
-    const fn name(self) -> &'static str {
+    fn name(self) -> &'static str {
         match self {
             Self::Method(method) => method.name(),
             Self::Comparison(_) => "Combined",
@@ -217,7 +218,7 @@ fn empty_ui(ui: &mut Ui, unit: LengthUnit) {
         let [first, second, third] = method.fields().map(|field| Key::from(field).symbol);
         text::caption(
             ui,
-            format!("{}: {} needs {first}, {second} and {third}.", method.name(), method.formula()),
+            format!("{}: {} needs {first}, {second} and {third}.", method.name(), names::formula(method, false)),
         );
     }
 }

@@ -10,6 +10,7 @@ use crate::core::quantity::LengthUnit;
 use depth_text::assess::Unknown;
 use depth_text::field::Key;
 use depth_text::fields;
+use depth_text::names::Named as _;
 use depth_text::report;
 use egui::{ComboBox, RichText, Sense, Ui, vec2};
 

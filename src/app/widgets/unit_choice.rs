@@ -1,6 +1,7 @@
 //! A choice among the units of length.
 
 use crate::core::quantity::LengthUnit;
+use depth_text::names::Named as _;
 use egui::{ComboBox, Ui};
 
 /// A choice among the units of length, named `name`.

@@ -9,7 +9,6 @@ mod focal_length;
 mod ground;
 mod intrinsics;
 mod point;
-mod sensor;
 mod tilt;
 
 pub use focal_length::{
@@ -19,5 +18,4 @@ pub use focal_length::{
 pub use ground::{GroundSolution, GroundView};
 pub use intrinsics::{Intrinsics, OnSensor, field_of_view, pixel_size};
 pub use point::{PointSolution, PointView};
-pub use sensor::{SENSOR_FORMATS, SensorBasis, SensorFormat};
 pub use tilt::{TiltSolution, TiltedTarget, depth_of_tilted_target};

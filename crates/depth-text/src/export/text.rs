@@ -4,6 +4,7 @@ use super::exporter::{Exporter, Results};
 use crate::assess::Assessment;
 use crate::field::Key;
 use crate::form::Inputs;
+use crate::names::Named as _;
 use crate::number::{exact, significant};
 use crate::reading;
 use crate::report::{

@@ -3,6 +3,7 @@
 use super::words::{capital, quoted};
 use crate::field::{Key, Kind};
 use crate::fields;
+use crate::names::Named as _;
 use crate::note::Issue;
 use crate::number::plain;
 use crate::unit::Unit;

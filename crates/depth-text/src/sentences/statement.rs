@@ -2,6 +2,7 @@
 
 use super::words::capital;
 use crate::field::Key;
+use crate::names::Named as _;
 use crate::number::{plain, significant};
 use crate::variants::variants;
 use depth_core::agreement::{Agreement, Suspect, Verdict};

@@ -1,4 +1,6 @@
-//! Sensor formats and their true dimensions.
+//! What can be chosen instead of typed: sensor formats with their true dimensions, and matching errors that people state.
+
+use depth_core::quantity::Pixels;
 
 /// A sensor format and its true dimensions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,5 +60,55 @@ const fn sensor(name: &'static str, width_mm: f64, height_mm: f64, basis: Sensor
         width_mm,
         height_mm,
         basis,
+    }
+}
+
+/// A standard deviation that somebody states for the disparities of a matcher.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MatchingError {
+    /// One standard deviation.
+    pub sigma: Pixels,
+    /// Who states it, and of what.
+    pub source: &'static str,
+}
+
+/// Matching errors that people state, smallest first, to choose a σ of the disparity from.
+pub const MATCHING_ERRORS: [MatchingError; 7] = [
+    matching_error(0.08, "RealSense on good texture (librealsense #3904)"),
+    matching_error(0.15, "Point Grey, by mask size 0.10 to 0.18"),
+    matching_error(0.2, "Point Grey (knowledge base 10102)"),
+    matching_error(0.25, "common (Carnegie Robotics)"),
+    matching_error(0.4, "mrcal, 0.3 to 0.5"),
+    matching_error(0.5, "limit (Carnegie Robotics)"),
+    matching_error(1.3, "mrcal with a poor lens model"),
+];
+
+const fn matching_error(sigma_px: f64, source: &'static str) -> MatchingError {
+    MatchingError {
+        sigma: Pixels::new(sigma_px),
+        source,
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_inch_of_a_sensor_format_is_about_16_mm_of_diagonal() {
+        for format in SENSOR_FORMATS {
+            let Some(fraction) = format.name.strip_suffix('″').or((format.name == "4/3").then_some("4/3")) else {
+                continue;
+            };
+            let (whole, part) = fraction.split_once('/').unwrap_or((fraction, "1"));
+            let inches = whole.parse::<f64>().unwrap() / part.parse::<f64>().unwrap();
+            let per_inch = format.width_mm.hypot(format.height_mm) / inches;
+            // Sensors up to 1/2.3″ are traditionally named by 18 mm to the inch, larger ones by 16.
+            assert!((15.8..18.3).contains(&per_inch), "{}: {per_inch}", format.name);
+        }
+        assert!(SENSOR_FORMATS.is_sorted_by(|a, b| a.width_mm < b.width_mm));
+        let name = |name| SENSOR_FORMATS.iter().find(|format| format.name == name).unwrap();
+        assert_eq!((name("Full frame").width_mm, name("Full frame").height_mm), (36.0, 24.0));
     }
 }

@@ -1,0 +1,53 @@
+//! What the methods and the units are called.
+
+use crate::unit::Unit;
+use depth_core::problem::Method;
+use depth_core::quantity::LengthUnit;
+
+/// Something with a name for people.
+pub trait Named {
+    /// The name: of a method with a capital letter, of a unit in the plural.
+    fn name(self) -> &'static str;
+}
+
+impl Named for Method {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Stereo => "Stereo",
+            Self::Monocular => "Monocular",
+        }
+    }
+}
+
+impl Named for LengthUnit {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Millimeter => "millimeters",
+            Self::Centimeter => "centimeters",
+            Self::Meter => "meters",
+            Self::Inch => "inches",
+            Self::Foot => "feet",
+        }
+    }
+}
+
+impl Named for Unit {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Pixel => "pixels",
+            Self::Length(unit) => unit.name(),
+            Self::Micrometer => "micrometers",
+            Self::Degree => "degrees",
+            Self::Radian => "radians",
+        }
+    }
+}
+
+/// The formula of `method` with the symbols of the fields, with or without doffs.
+pub const fn formula(method: Method, with_doffs: bool) -> &'static str {
+    match (method, with_doffs) {
+        (Method::Stereo, false) => "D = fx · b / d",
+        (Method::Stereo, true) => "D = fx · b / (d + doffs)",
+        (Method::Monocular, _) => "D = w_real · fx / w_img",
+    }
+}
