@@ -69,7 +69,7 @@ impl App {
             Command::Undo => self.undo(),
             Command::Redo => self.redo(),
             Command::CopyResults => {
-                let text = Text.export(&Results {
+                let Ok(text) = Text.export(&Results {
                     inputs: &self.session.inputs,
                     assessment: self.session.assessment(),
                     unit: self.settings.result_unit,

@@ -1,11 +1,13 @@
 //! `calculate`: what is answered, warned about or refused.
 
+use super::json::Json;
 use super::options::{Calculate, name};
 use super::reply::Reply;
+use super::text::Text;
 use super::warning::Warning;
-use super::{json, text};
 use crate::core::problem::{Method, Outcome, Solution};
 use depth_text::entry::Entry;
+use depth_text::export::{Exporter as _, Results};
 use depth_text::field::Key;
 use depth_text::fields;
 use depth_text::form::Inputs;
@@ -58,11 +60,18 @@ impl Calculate {
         let is_new = |unused: &Warning| warnings.iter().all(|warning| warning.field != unused.field);
         let unused: Vec<Warning> = unused.into_iter().filter(is_new).collect();
         warnings.extend(unused);
+        let results = Results {
+            inputs: &inputs,
+            assessment: &assessment,
+            unit: self.unit,
+        };
         if self.json {
-            return json::answer(solution, &warnings).map(Reply::without_warnings);
+            let answer = Json { warnings: &warnings }.export(&results);
+            return answer.map(Reply::without_warnings).map_err(|error| error.to_string());
         }
+        let Ok(text) = Text.export(&results);
         Ok(Reply {
-            text: text::answer(&assessment, self.unit),
+            text,
             warnings: warnings.iter().map(Warning::to_string).collect(),
         })
     }

@@ -3,6 +3,7 @@
 use super::warning::Warning;
 use crate::core::problem::{Method, Solution};
 use crate::core::quantity::{Length, Pixels};
+use depth_text::export::{Exporter, Results};
 use serde::Serialize;
 
 /// Lengths in meters; null for what is unknown or unbounded.
@@ -30,33 +31,39 @@ struct Combined {
     sigma_m: f64,
 }
 
-/// The answer as JSON, with a line end.
-///
-/// # Errors
-/// Why it cannot be JSON.
-pub(super) fn answer(solution: &Solution, warnings: &[Warning]) -> Result<String, String> {
-    let distance = |method: Method| {
-        let known = solution.uncertainty(method);
-        Some(Distance {
-            distance_m: solution.outcome(method).distance()?.m(),
-            sigma_m: known.map(|known| known.sigma.m()),
-            near_m: known.map(|known| known.interval.near.m()),
-            far_m: known.and_then(|known| known.interval.far).map(Length::m),
-        })
-    };
-    let combined = solution.comparison.and_then(|comparison| comparison.combined);
-    let answer = Answer {
-        stereo: distance(Method::Stereo),
-        monocular: distance(Method::Monocular),
-        combined: combined.map(|combined| Combined {
-            distance_m: combined.value.m(),
-            sigma_m: combined.sigma.m(),
-        }),
-        estimated_width_px: solution.estimated_width_px.map(Pixels::px),
-        estimated_width_m: solution.estimated_width.map(Length::m),
-        warnings,
-    };
-    let mut text = serde_json::to_string_pretty(&answer).map_err(|error| error.to_string())?;
-    text.push('\n');
-    Ok(text)
+/// The answer in JSON, beside which these warnings were given.
+pub(super) struct Json<'a> {
+    pub(super) warnings: &'a [Warning],
+}
+
+impl Exporter for Json<'_> {
+    type Error = serde_json::Error;
+
+    fn export(&self, &Results { assessment, .. }: &Results<'_>) -> Result<String, serde_json::Error> {
+        let solution = &assessment.solution;
+        let combined = solution.comparison.and_then(|comparison| comparison.combined);
+        let answer = Answer {
+            stereo: distance(solution, Method::Stereo),
+            monocular: distance(solution, Method::Monocular),
+            combined: combined.map(|combined| Combined {
+                distance_m: combined.value.m(),
+                sigma_m: combined.sigma.m(),
+            }),
+            estimated_width_px: solution.estimated_width_px.map(Pixels::px),
+            estimated_width_m: solution.estimated_width.map(Length::m),
+            warnings: self.warnings,
+        };
+        Ok(serde_json::to_string_pretty(&answer)? + "\n")
+    }
+}
+
+fn distance(solution: &Solution, method: Method) -> Option<Distance> {
+    let uncertainty = solution.uncertainty(method);
+    let interval = uncertainty.map(|uncertainty| uncertainty.interval);
+    Some(Distance {
+        distance_m: solution.outcome(method).distance()?.m(),
+        sigma_m: uncertainty.map(|uncertainty| uncertainty.sigma.m()),
+        near_m: interval.map(|interval| interval.near.m()),
+        far_m: interval.and_then(|interval| interval.far).map(Length::m),
+    })
 }

@@ -1,9 +1,9 @@
 //! Floor 4: the command line. The same `Inputs -> Problem -> Solution` as the screens, answered as text or JSON.
 
 mod arguments;
+mod ascii;
 mod calculate;
 mod completions;
-mod digits;
 mod json;
 mod manual;
 mod options;

@@ -1,6 +1,6 @@
 //! What is said about an option without refusing it.
 
-use super::digits::in_sentence;
+use super::ascii::in_sentence;
 use super::options::name;
 use depth_text::field::Key;
 use depth_text::note::{Note, Part};

@@ -25,6 +25,7 @@ pub mod reading;
 pub mod report;
 pub mod sentences;
 mod step;
+pub mod style;
 pub mod unit;
 mod variants;
 pub mod version1;

@@ -1,38 +1,52 @@
 //! The results in words: lengths with their uncertainty, the formulas with their numbers, the table of parameters.
+//! Where no [`Style`] is asked for it is that of the window.
 
-use crate::assess::Unknown;
+use crate::assess::{Assessment, Unknown};
 use crate::field::Key;
 use crate::names::{self, Named};
-use crate::number::{self, NO_NUMBER, plain, significant};
+use crate::number::{NO_NUMBER, plain};
 use crate::sentences::Statement;
+use crate::style::Style;
+use crate::unit::Unit;
 use depth_core::problem::{Field, Method, Solution, Uncertainty};
 use depth_core::quantity::{Length, LengthUnit};
 
-/// Significant digits of a result on the screen.
-pub const DIGITS: usize = 4;
+pub use crate::style::{DIGITS, NO_UPPER_BOUND, WithSigma};
 
-/// `length` in `unit` with four significant digits and its unit: "1.400 m", or "–.– m" where there is none.
+const STYLE: Style = Style::WINDOW;
+
+/// "1.400 m", or "–.– m" where there is none; see [`Style::length`].
 pub fn length(length: Option<Length>, unit: LengthUnit) -> String {
-    format!("{} {}", length_number(length, unit), unit.symbol())
+    STYLE.length(length, unit)
 }
 
 /// [`length`] without the unit.
 pub fn length_number(length: Option<Length>, unit: LengthUnit) -> String {
-    length.map_or_else(|| NO_NUMBER.to_owned(), |length| significant(length.in_unit(unit), DIGITS))
+    STYLE.number(length.map(|length| length.in_unit(unit)))
 }
 
-/// What one pixel of disparity more or less makes of the stereo distance: "1.373 … 1.429 m".
-pub fn one_pixel_around(solution: &Solution, unit: LengthUnit) -> Option<String> {
-    let (near, far) = solution.one_pixel_range()?;
-    let near = length_number(Some(near), unit);
-    Some(match far {
-        Some(far) => format!("{near} … {}", length(Some(far), unit)),
-        None => format!("{near} {} … no upper bound", unit.symbol()),
-    })
+/// "1.373 … 1.429 m"; see [`Style::range`].
+pub fn range(near: Length, far: Option<Length>, unit: LengthUnit) -> String {
+    STYLE.range(near, far, unit)
+}
+
+/// "1.373 … 1.429 m"; see [`Style::one_pixel_range`].
+pub fn one_pixel_range(solution: &Solution, unit: LengthUnit) -> Option<String> {
+    STYLE.one_pixel_range(solution, unit)
+}
+
+/// `length` and its `sigma` in `unit`; see [`Style::with_sigma`].
+pub fn with_sigma(length: Length, sigma: Length, unit: LengthUnit) -> WithSigma {
+    STYLE.with_sigma(length.in_unit(unit), sigma.in_unit(unit))
+}
+
+/// "1.384 … 1.416 m"; see [`Style::interval`].
+pub fn interval(uncertainty: &Uncertainty, unit: LengthUnit) -> String {
+    STYLE.interval(uncertainty, unit)
 }
 
 /// The formula of `method` with its symbols, with doffs where there is one.
-pub fn formula(solution: &Solution, method: Method) -> &'static str {
+pub const fn formula(solution: &Solution, method: Method) -> &'static str {
     names::formula(method, solution.problem.doffs.is_some())
 }
 
@@ -40,24 +54,8 @@ pub fn formula(solution: &Solution, method: Method) -> &'static str {
 /// "D = 700 px · 0.1 m / 50 px = 1.400 m".
 pub fn formula_with_numbers(solution: &Solution, method: Method) -> Option<String> {
     let distance = solution.outcome(method).distance()?;
-    let value = |field: Field| {
-        let unit = if Key::from(field).is_length() { "m" } else { "px" };
-        solution.problem.get(field).map(|value| format!("{} {unit}", plain(value)))
-    };
-    let (first, second, divisor) = match method {
-        Method::Stereo => (Field::FocalLength, Field::Baseline, Field::Disparity),
-        Method::Monocular => (Field::RealWidth, Field::FocalLength, Field::ImageWidth),
-    };
-    let divisor = match (method, value(Field::Doffs)) {
-        (Method::Stereo, Some(doffs)) => format!("({} + {doffs})", value(divisor)?),
-        _ => value(divisor)?,
-    };
-    Some(format!(
-        "D = {} · {} / {divisor} = {}",
-        value(first)?,
-        value(second)?,
-        length(Some(distance), LengthUnit::Meter)
-    ))
+    let numbers = STYLE.numbers_in_formula(solution, method, LengthUnit::Meter)?;
+    Some(format!("D = {numbers} = {}", length(Some(distance), LengthUnit::Meter)))
 }
 
 /// One row of the table "Key input parameters and outputs".
@@ -75,8 +73,6 @@ pub struct Row {
 
 /// The rows of the table: the inputs that everybody has, then what follows; lengths in meters whatever unit was typed.
 pub fn parameter_rows(solution: &Solution) -> Vec<Row> {
-    const PIXELS: &str = "pixels";
-    const METERS: &str = "meters";
     let inputs = Key::form().filter(|key| !key.is_optional).filter_map(|key| {
         let value = solution.problem.get(key.input?);
         Some(Row {
@@ -86,35 +82,36 @@ pub fn parameter_rows(solution: &Solution) -> Vec<Row> {
             description: key.spec().description,
         })
     });
-    let output = |parameter, value: Option<f64>, unit, description| Row {
+    let output = |parameter, value, unit: Unit, description| Row {
         parameter,
-        value: value.map_or_else(|| NO_NUMBER.to_owned(), |value| significant(value, DIGITS)),
-        unit,
+        value: STYLE.number(value),
+        unit: unit.name(),
         description,
     };
+    let meters = Unit::Length(LengthUnit::Meter);
     let outputs = [
         output(
             ESTIMATED_WIDTH_PX,
             solution.estimated_width_px.map(|width| width.px()),
-            PIXELS,
+            Unit::Pixel,
             "Width in the image that the real width and the distance predict",
         ),
         output(
             ESTIMATED_WIDTH_M,
             solution.estimated_width.map(Length::m),
-            METERS,
+            meters,
             "Real width that the width in the image and the distance predict",
         ),
         output(
             "Distance (stereo)",
             solution.stereo.distance().map(Length::m),
-            METERS,
+            meters,
             "Distance from disparity",
         ),
         output(
             "Distance (monocular)",
             solution.monocular.distance().map(Length::m),
-            METERS,
+            meters,
             "Distance from the object’s known width",
         ),
     ];
@@ -125,52 +122,21 @@ pub fn parameter_rows(solution: &Solution) -> Vec<Row> {
 pub const ESTIMATED_WIDTH_PX: &str = "Estimated object width (pixels)";
 /// Name of w_img·D/fx.
 pub const ESTIMATED_WIDTH_M: &str = "Estimated object width (meters)";
+/// What w_real·fx/D is, where there is no table to explain its name.
+pub const PREDICTED_WIDTH_PX: &str = "Width in the image that the real width predicts";
+/// What w_img·D/fx is, where there is no table to explain its name.
+pub const PREDICTED_WIDTH_M: &str = "Real width that the width in the image predicts";
 
-/// A value and its σ, written to the same decimal.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct WithSigma {
-    /// The value.
-    pub value: String,
-    /// Its σ with two significant digits.
-    pub sigma: String,
-}
-
-impl WithSigma {
-    /// "1.400 ± 0.016 m".
-    pub fn text(&self, unit: LengthUnit) -> String {
-        format!("{} ± {} {}", self.value, self.sigma, unit.symbol())
-    }
-}
-
-/// `length` and its `sigma` in `unit`: σ with two significant digits, the value with as many decimals.
-pub fn with_sigma(length: Length, sigma: Length, unit: LengthUnit) -> WithSigma {
-    let (value, sigma) = (length.in_unit(unit), sigma.in_unit(unit));
-    let decimals = decimals_beside(value, sigma);
-    WithSigma {
-        value: number::to_decimals(value, decimals),
-        sigma: significant(sigma, 2),
-    }
-}
-
-/// The 1 σ interval, to the decimals of σ: "1.384 … 1.416 m".
-pub fn interval(known: &Uncertainty, unit: LengthUnit) -> String {
-    let decimals = decimals_beside(known.model.depth().in_unit(unit), known.sigma.in_unit(unit));
-    let end = |length: Length| number::to_decimals(length.in_unit(unit), decimals);
-    let near = end(known.interval.near);
-    match known.interval.far {
-        Some(far) => format!("{near} … {} {}", end(far), unit.symbol()),
-        None => format!("{near} {} … no upper bound", unit.symbol()),
-    }
-}
-
-/// The decimals that show two digits of `sigma`, and at least two of `value`.
-pub fn decimals_beside(value: f64, sigma: f64) -> i32 {
-    (1 - number::magnitude(sigma)).max(1 - number::magnitude(value))
-}
+/// The change that [`one_pixel_range`] is about.
+pub const ONE_PIXEL: &str = "one pixel of disparity more or less";
+/// What both distances combined are, where that has a line of its own.
+pub const COMBINED_ESTIMATE: &str = "Combined estimate; the shared focal length is accounted for";
+/// The same beside their value.
+pub const COMBINED: &str = "combined, the shared focal length accounted for";
 
 /// Where the variance comes from: "disparity 75 %, baseline 19 %, focal length 6 %", the largest first.
-pub fn budget(known: &Uncertainty) -> String {
-    let mut shares = known.budget.to_vec();
+pub fn budget(uncertainty: &Uncertainty) -> String {
+    let mut shares = uncertainty.budget.to_vec();
     shares.sort_by(|a, b| b.share.total_cmp(&a.share));
     shares
         .iter()
@@ -181,8 +147,8 @@ pub fn budget(known: &Uncertainty) -> String {
 }
 
 /// The input behind most of the variance: "mostly from disparity (75 %)".
-pub fn main_cause(known: &Uncertainty) -> Option<String> {
-    let share = known.main_cause()?;
+pub fn main_cause(uncertainty: &Uncertainty) -> Option<String> {
+    let share = uncertainty.main_cause()?;
     let how = if share.share >= 0.5 { "mostly" } else { "most of it" };
     Some(format!("{how} from {} ({})", short_name(share.source), percent(share.share)))
 }
@@ -202,8 +168,27 @@ pub fn percent(share: f64) -> String {
     }
 }
 
-/// What is said where σ alone would mislead.
-pub const FIRST_ORDER_IS_POOR: Statement = Statement::FirstOrderIsPoor { has_simulation: true };
+/// How sure the distance is that `uncertainty` belongs to, a line each: the interval, the shares, and whether ± σ misleads.
+pub fn certainty(style: Style, uncertainty: &Uncertainty, unit: LengthUnit) -> Vec<String> {
+    let mut lines = vec![
+        format!("1 σ interval: {}", style.interval(uncertainty, unit)),
+        format!("variance: {}", budget(uncertainty)),
+    ];
+    if !uncertainty.model.first_order_is_good() {
+        let has_simulation = style.has_simulation;
+        lines.push(Statement::FirstOrderIsPoor { has_simulation }.to_string());
+    }
+    lines
+}
+
+/// Whether both distances agree, and what to look at if not, a line each.
+pub fn agreement(assessment: &Assessment) -> Vec<String> {
+    let comparison = assessment.solution.comparison.iter();
+    let agreement = comparison.map(|comparison| Statement::agreement(&comparison.agreement));
+    let suspects = assessment.suspects();
+    let statements = agreement.chain(suspects.iter().map(Statement::suspect));
+    statements.map(|statement| statement.to_string()).collect()
+}
 
 /// What was solved for with its uncertainty, in `unit` (`None`: pixels), or what is lacking: "100.0 ± 1.2 mm".
 pub fn unknown(unknown: &Unknown, unit: Option<LengthUnit>) -> String {
@@ -211,14 +196,12 @@ pub fn unknown(unknown: &Unknown, unit: Option<LengthUnit>) -> String {
         Ok(found) => found,
         Err(reason) => return reason.to_string(),
     };
-    let in_unit = |base: f64| unit.map_or(base, |unit| Length::from_m(base).in_unit(unit));
-    let symbol = unit.map_or("px", LengthUnit::symbol);
-    let (value, sigma) = (in_unit(found.value), in_unit(found.sigma));
+    let unit = unit.map_or(Unit::Pixel, Unit::Length);
+    let (value, sigma) = (unit.from_base(found.value), unit.from_base(found.sigma));
     if sigma == 0.0 {
-        return format!("{} {symbol}", significant(value, DIGITS));
+        return format!("{} {}", STYLE.number(Some(value)), unit.symbol());
     }
-    let decimals = decimals_beside(value, sigma);
-    format!("{} ± {} {symbol}", number::to_decimals(value, decimals), significant(sigma, 2))
+    STYLE.with_sigma(value, sigma).text(unit)
 }
 
 #[cfg(test)]
@@ -232,12 +215,23 @@ mod tests {
         let inputs = Example::CoffeeMug.inputs();
         let assessment = inputs.assess();
         assert_eq!(
-            one_pixel_around(&assessment.solution, LengthUnit::Meter).as_deref(),
+            one_pixel_range(&assessment.solution, LengthUnit::Meter).as_deref(),
             Some("1.373 … 1.429 m")
         );
         assert_eq!(
             formula_with_numbers(&assessment.solution, Method::Stereo).as_deref(),
             Some("D = 700 px · 0.1 m / 50 px = 1.400 m")
+        );
+    }
+
+    #[test]
+    fn a_doffs_below_zero_is_subtracted() {
+        let mut inputs = Example::CoffeeMug.inputs();
+        inputs.entry_mut(Field::Disparity).text = "90".into();
+        inputs.entry_mut(Field::Doffs).text = "-40".into();
+        assert_eq!(
+            formula_with_numbers(&inputs.assess().solution, Method::Stereo).as_deref(),
+            Some("D = 700 px · 0.1 m / (90 px − 40 px) = 1.400 m")
         );
     }
 
@@ -256,7 +250,7 @@ mod tests {
         let mut inputs = Example::CoffeeMug.inputs();
         *inputs.entry_mut(Field::Disparity) = Entry::new("1", None);
         assert_eq!(
-            one_pixel_around(&inputs.assess().solution, LengthUnit::Meter).as_deref(),
+            one_pixel_range(&inputs.assess().solution, LengthUnit::Meter).as_deref(),
             Some("35.00 m … no upper bound")
         );
     }

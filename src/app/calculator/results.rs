@@ -120,7 +120,7 @@ fn combined_ui(ui: &mut Ui, comparison: &Comparison, suspects: &[Suspect], unit:
                 &format!("{} ± {}", unit.symbol(), words.sigma),
                 "Combined distance",
             );
-            text::caption(ui, "Combined estimate; the shared focal length is accounted for");
+            text::caption(ui, report::COMBINED_ESTIMATE);
         }
         None => {
             number(ui, depth_text::number::NO_NUMBER, unit.symbol(), "Combined distance");
@@ -193,18 +193,18 @@ fn result_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
     let distance = solution.outcome(method).distance();
     let name = format!("{} distance", method.name());
     match (distance, solution.uncertainty(method)) {
-        (Some(distance), Some(known)) => {
-            let words = report::with_sigma(distance, known.sigma, unit);
+        (Some(distance), Some(uncertainty)) => {
+            let words = report::with_sigma(distance, uncertainty.sigma, unit);
             number(ui, &words.value, &format!("{} ± {}", unit.symbol(), words.sigma), &name);
-            let cause = report::main_cause(known).map_or_else(String::new, |cause| format!(" · {cause}"));
-            text::caption(ui, format!("{}{cause}", report::interval(known, unit)));
+            let cause = report::main_cause(uncertainty).map_or_else(String::new, |cause| format!(" · {cause}"));
+            text::caption(ui, format!("{}{cause}", report::interval(uncertainty, unit)));
         }
         _ => number(ui, &report::length_number(distance, unit), unit.symbol(), &name),
     }
     if method == Method::Stereo
-        && let Some(range) = report::one_pixel_around(solution, unit)
+        && let Some(range) = report::one_pixel_range(solution, unit)
     {
-        text::caption(ui, format!("{range} with one pixel of disparity more or less"));
+        text::caption(ui, format!("{range} with {}", report::ONE_PIXEL));
     }
     text::caption(ui, report::formula(solution, method));
     if let Some(formula) = report::formula_with_numbers(solution, method) {
@@ -218,7 +218,11 @@ fn empty_ui(ui: &mut Ui, unit: LengthUnit) {
         let [first, second, third] = method.fields().map(|field| Key::from(field).symbol);
         text::caption(
             ui,
-            format!("{}: {} needs {first}, {second} and {third}.", method.name(), names::formula(method, false)),
+            format!(
+                "{}: {} needs {first}, {second} and {third}.",
+                method.name(),
+                names::formula(method, false)
+            ),
         );
     }
 }

@@ -9,6 +9,7 @@ use crate::core::quantity::{Length, LengthUnit};
 use crate::core::uncertainty::Model;
 use depth_text::assess::Assessment;
 use depth_text::report;
+use depth_text::sentences::Statement;
 use egui::{Align2, Color32, Rect, Sense, Ui, pos2, vec2};
 
 /// Draws per simulation.
@@ -179,7 +180,7 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
     if !known.model.first_order_is_good() {
         let amber = palette.amber;
         ui.label(
-            egui::RichText::new(format!("⚠ {}", report::FIRST_ORDER_IS_POOR))
+            egui::RichText::new(format!("⚠ {}", Statement::FirstOrderIsPoor { has_simulation: true }))
                 .size(theme::SMALL_SIZE)
                 .color(amber),
         );
@@ -192,11 +193,9 @@ fn simulation_ui(ui: &mut Ui, method: Method, simulation: &Simulation, unit: Len
         return;
     };
     histogram_ui(ui, method, distribution, unit);
-    let end = |length: Option<Length>| length.map_or_else(|| "no upper bound".to_owned(), |length| report::length(Some(length), unit));
-    let interval = |quantiles: Quantiles| match (quantiles.near, quantiles.far) {
-        (Some(near), Some(far)) => format!("{} … {}", report::length_number(Some(near), unit), report::length(Some(far), unit)),
-        (near, far) => format!("{} … {}", end(near), end(far)),
-    };
+    let unbounded = || report::NO_UPPER_BOUND.to_owned();
+    let end = |length: Option<Length>| length.map_or_else(unbounded, |length| report::length(Some(length), unit));
+    let interval = |Quantiles { near, far, .. }: Quantiles| near.map_or_else(unbounded, |near| report::range(near, far, unit));
     super::table::pairs(
         ui,
         simulation_title(method),

@@ -8,19 +8,25 @@ use crate::names::Named as _;
 use crate::number::{exact, significant};
 use crate::reading;
 use crate::report::{
-    DIGITS, ESTIMATED_WIDTH_M, ESTIMATED_WIDTH_PX, FIRST_ORDER_IS_POOR, budget, formula, interval, length, one_pixel_around, with_sigma,
+    COMBINED, DIGITS, ESTIMATED_WIDTH_M, ESTIMATED_WIDTH_PX, ONE_PIXEL, agreement, certainty, formula, length, one_pixel_range, with_sigma,
 };
-use crate::sentences::{Statement, quoted};
+use crate::sentences::{Statement, capital, quoted};
+use crate::style::Style;
 use crate::unit::Unit;
 use depth_core::problem::{Method, Solution};
 use depth_core::quantity::LengthUnit;
+use std::convert::Infallible;
+
+const STYLE: Style = Style::WINDOW;
 
 /// Lines of plain text: inputs as typed, results rounded in the unit chosen and with every digit.
 #[derive(Clone, Copy, Debug)]
 pub struct Text;
 
 impl Exporter for Text {
-    fn export(&self, &Results { inputs, assessment, unit }: &Results<'_>) -> String {
+    type Error = Infallible;
+
+    fn export(&self, &Results { inputs, assessment, unit }: &Results<'_>) -> Result<String, Infallible> {
         let solution = &assessment.solution;
         let mut lines = vec!["Depth Calculator".to_owned(), String::new(), "Inputs".to_owned()];
         for key in Key::form().filter(|key| !key.is_optional || !inputs.entry(*key).is_blank()) {
@@ -34,7 +40,7 @@ impl Exporter for Text {
             lines.push(format!("  Note on {}: {}", note.key.name, note.issue));
         }
         lines.push(String::new());
-        lines.join("\n")
+        Ok(lines.join("\n"))
     }
 }
 
@@ -60,46 +66,28 @@ fn input(inputs: &Inputs, assessment: &Assessment, key: Key) -> String {
 
 /// The distance of `method`, rounded and with every digit, and how sure it is.
 fn of_method(solution: &Solution, method: Method, unit: LengthUnit) -> Vec<String> {
-    let distance = solution.outcome(method).distance();
-    let known = solution.uncertainty(method);
-    let value = match (distance, known) {
-        (Some(distance), Some(known)) => with_sigma(distance, known.sigma, unit).text(unit),
-        _ => length(distance, unit),
-    };
+    let value = STYLE.distance(solution, method, unit);
     let mut line = format!("{} distance, {}: {value}", method.name(), formula(solution, method));
-    if let Some(distance) = distance {
+    if let Some(distance) = solution.outcome(method).distance() {
         line.push_str(&format!(" (unrounded {} {})", exact(distance.in_unit(unit)), unit.symbol()));
     }
-    let mut lines = vec![line];
-    if method == Method::Stereo
-        && let Some(range) = one_pixel_around(solution, unit)
-    {
-        lines.push(format!("  with one pixel of disparity more or less: {range}"));
-    }
-    if let Some(known) = known {
-        lines.push(format!("  1 σ interval: {}", interval(known, unit)));
-        lines.push(format!("  variance: {}", budget(known)));
-        if !known.model.first_order_is_good() {
-            lines.push(format!("  {FIRST_ORDER_IS_POOR}"));
-        }
-    }
-    lines
+    let one_pixel = one_pixel_range(solution, unit).filter(|_| method == Method::Stereo);
+    let one_pixel = one_pixel.map(|range| format!("  with {ONE_PIXEL}: {range}"));
+    let uncertainty = solution.uncertainty(method);
+    let certainty = uncertainty.into_iter().flat_map(|uncertainty| certainty(STYLE, uncertainty, unit));
+    let indented = certainty.map(|line| format!("  {line}"));
+    std::iter::once(line).chain(one_pixel).chain(indented).collect()
 }
 
 /// What both distances say together.
 fn comparison(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
-    let Some(comparison) = &assessment.solution.comparison else {
-        return Vec::new();
-    };
-    let mut lines = Vec::new();
-    if let Some(combined) = comparison.combined {
+    let combined = assessment.solution.comparison.and_then(|comparison| comparison.combined);
+    let combined = combined.map(|combined| {
         let value = with_sigma(combined.value, combined.sigma, unit).text(unit);
-        lines.push(format!("Combined distance, the shared focal length accounted for: {value}"));
-    }
-    lines.push(format!("  {}", Statement::agreement(&comparison.agreement)));
-    let suspects = assessment.suspects();
-    lines.extend(suspects.iter().map(|suspect| format!("  {}", Statement::suspect(suspect))));
-    lines
+        format!("{}: {value}", capital(COMBINED))
+    });
+    let agreement = agreement(assessment).into_iter().map(|line| format!("  {line}"));
+    combined.into_iter().chain(agreement).collect()
 }
 
 /// The widths that the distance predicts.
@@ -127,7 +115,7 @@ mod tests {
     #[test]
     fn the_mug_reads_as_in_the_specification() {
         let inputs = Example::CoffeeMug.inputs();
-        let report = Text.export(&Results {
+        let Ok(report) = Text.export(&Results {
             inputs: &inputs,
             assessment: &inputs.assess(),
             unit: LengthUnit::Meter,
