@@ -43,6 +43,11 @@ const VIEW: FieldSpec = FieldSpec {
     ..BLANK
 };
 
+/// An option of the command line: its name, and the help of it and of its σ.
+const fn option(name: &'static str, help: &'static str, sigma_help: &'static str) -> Option<CommandOption> {
+    Some(CommandOption { name, help, sigma_help })
+}
+
 table! {
     /// fx, px
     FOCAL_LENGTH = FieldSpec {
@@ -50,11 +55,11 @@ table! {
         hint: "Focal length of the camera in pixels.",
         description: "Camera’s focal length",
         input: Some(Field::FocalLength), section: Some(Section::Camera),
-        option: Some(CommandOption {
-            name: "fx",
-            help: "Focal length in pixels of the image that the other pixels are counted in",
-            sigma_help: "1 σ of the focal length, such as 2 or 0.3%",
-        }),
+        option: option(
+            "fx",
+            "Focal length in pixels of the image that the other pixels are counted in",
+            "1 σ of the focal length, such as 2 or 0.3%",
+        ),
         ..INPUT
     };
     /// b, a length
@@ -64,11 +69,7 @@ table! {
         hint: "Distance between the two cameras.",
         description: "Distance between the two cameras",
         input: Some(Field::Baseline), section: Some(Section::Stereo),
-        option: Some(CommandOption {
-            name: "baseline",
-            help: "Distance between the two cameras; bare: in mm",
-            sigma_help: "1 σ of the baseline, such as 0.5mm or 0.5%",
-        }),
+        option: option("baseline", "Distance between the two cameras; bare: in mm", "1 σ of the baseline, such as 0.5mm or 0.5%"),
         ..INPUT
     };
     /// d, px
@@ -77,11 +78,11 @@ table! {
         hint: "Horizontal shift of the object between the left and right image.",
         description: "Horizontal pixel difference",
         input: Some(Field::Disparity), section: Some(Section::Stereo),
-        option: Some(CommandOption {
-            name: "disparity",
-            help: "Horizontal shift of the object between the rectified images, left x minus right x",
-            sigma_help: "1 σ of the disparity, such as 0.25",
-        }),
+        option: option(
+            "disparity",
+            "Horizontal shift of the object between the rectified images, left x minus right x",
+            "1 σ of the disparity, such as 0.25",
+        ),
         ..INPUT
     };
     /// δ = cx_right − cx_left, px
@@ -90,11 +91,7 @@ table! {
         hint: "cx of the right camera minus cx of the left one; added to the disparity.",
         signed: true, is_optional: true,
         input: Some(Field::Doffs), section: Some(Section::Stereo),
-        option: Some(CommandOption {
-            name: "doffs",
-            help: "cx of the right camera minus cx of the left one, added to the disparity",
-            sigma_help: "1 σ of doffs",
-        }),
+        option: option("doffs", "cx of the right camera minus cx of the left one, added to the disparity", "1 σ of doffs"),
         ..INPUT
     };
     /// w_img, px
@@ -103,11 +100,7 @@ table! {
         hint: "Width of the object in the image.",
         description: "Object’s width in the image",
         input: Some(Field::ImageWidth), section: Some(Section::Monocular),
-        option: Some(CommandOption {
-            name: "w-img",
-            help: "Width of the object in the image",
-            sigma_help: "1 σ of the width in the image",
-        }),
+        option: option("w-img", "Width of the object in the image", "1 σ of the width in the image"),
         ..INPUT
     };
     /// w_real, a length
@@ -117,11 +110,7 @@ table! {
         hint: "Actual physical width of the object.",
         description: "Object’s actual physical width",
         input: Some(Field::RealWidth), section: Some(Section::Monocular),
-        option: Some(CommandOption {
-            name: "w-real",
-            help: "Width of the object itself; bare: in m",
-            sigma_help: "1 σ of the real width, such as 1cm or 3%",
-        }),
+        option: option("w-real", "Width of the object itself; bare: in m", "1 σ of the real width, such as 1cm or 3%"),
         ..INPUT
     };
     /// D, where something else is solved for.

@@ -44,37 +44,29 @@ pub struct Note {
 }
 
 impl Note {
-    /// An error at the value of the field `key`.
-    pub const fn error(key: Key, issue: Issue) -> Self {
+    const fn new(key: Key, part: Part, severity: Severity, issue: Issue) -> Self {
         Self {
             key,
-            part: Part::Value,
-            severity: Severity::Error,
+            part,
+            severity,
             issue,
             fixes: Vec::new(),
         }
+    }
+
+    /// An error at the value of the field `key`.
+    pub const fn error(key: Key, issue: Issue) -> Self {
+        Self::new(key, Part::Value, Severity::Error, issue)
     }
 
     /// An error at the σ of the field `key`.
     pub const fn of_sigma(key: Key, issue: Issue) -> Self {
-        Self {
-            key,
-            part: Part::Sigma,
-            severity: Severity::Error,
-            issue,
-            fixes: Vec::new(),
-        }
+        Self::new(key, Part::Sigma, Severity::Error, issue)
     }
 
     /// A warning at the value of the field `key`.
     pub const fn warning(key: Key, issue: Issue) -> Self {
-        Self {
-            key,
-            part: Part::Value,
-            severity: Severity::Warning,
-            issue,
-            fixes: Vec::new(),
-        }
+        Self::new(key, Part::Value, Severity::Warning, issue)
     }
 
     /// The same with the corrections `fixes`.

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
 use depth_core::problem::Field;
-use depth_core::quantity::LengthUnit;
+use depth_generators::{any_magnitude, any_unit};
 use depth_text::entry::Entry;
 use depth_text::export::{Exporter as _, Results, Text};
 use depth_text::field::Key;
@@ -16,11 +16,6 @@ fn close(got: f64, expected: f64, relative: f64) -> bool {
     (got / expected - 1.0).abs() <= relative
 }
 
-/// Positive numbers of every magnitude an f64 has.
-fn any_magnitude() -> impl Strategy<Value = f64> {
-    (-300.0..300.0f64).prop_map(|exponent| 10f64.powf(exponent))
-}
-
 /// Text that looks enough like numbers to reach every branch of the reader, and text that does not.
 fn typed_text() -> impl Strategy<Value = String> {
     prop_oneof![
@@ -30,15 +25,11 @@ fn typed_text() -> impl Strategy<Value = String> {
     ]
 }
 
-fn unit() -> impl Strategy<Value = LengthUnit> {
-    proptest::sample::select(LengthUnit::ALL.to_vec())
-}
-
 proptest! {
     /// Whatever is typed or stored: no panic, no NaN and no infinity in any text that is shown or copied.
     #[test]
     fn no_text_that_can_be_typed_shows_nan_or_infinity(
-        texts in proptest::array::uniform5(typed_text()), baseline_unit in unit(), result_unit in unit(), steps in -20..20i32,
+        texts in proptest::array::uniform5(typed_text()), baseline_unit in any_unit(), result_unit in any_unit(), steps in -20..20i32,
     ) {
         let mut inputs = Inputs::default();
         for (field, text) in Field::ALL.into_iter().zip(&texts) {
@@ -66,7 +57,7 @@ proptest! {
 
     /// Every correction that a note offers is itself accepted without an error.
     #[test]
-    fn corrections_correct(text in typed_text(), unit in unit()) {
+    fn corrections_correct(text in typed_text(), unit in any_unit()) {
         for field in Field::ALL {
             let mut inputs = Inputs::default();
             *inputs.entry_mut(field) = Entry::new(text.clone(), Key::from(field).is_length().then_some(unit));
