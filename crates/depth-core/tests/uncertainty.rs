@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{NO_DOFFS, assert_near, disparity_only, mug};
+use common::{NO_DOFFS, assert_near, disparity_only, exact_cameras, mug};
 use depth_core::field::Field;
 use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
@@ -55,14 +55,7 @@ fn the_disparity_is_responsible_for_three_quarters_of_the_variance() {
 
 #[test]
 fn the_variance_of_doffs_adds_to_that_of_the_disparity() {
-    let doffs = Measured::from_base(40.0, 0.4);
-    let model = Model::stereo(
-        Measured::from_base(700.0, 0.0),
-        Measured::from_base(0.1, 0.0),
-        Measured::from_base(50.0, 0.3),
-        doffs,
-    )
-    .unwrap();
+    let model = exact_cameras(Measured::from_base(50.0, 0.3), Measured::from_base(40.0, 0.4));
     // 3-4-5: together 0.5 px on 90 px.
     assert_near(model.depth().m(), 70.0 / 90.0, 1e-15);
     assert_near(model.relative_sigma(), 0.5 / 90.0, 1e-15);

@@ -22,15 +22,14 @@ pub fn mug() -> Model {
     .unwrap()
 }
 
-/// The cameras of the mug, exact, and a disparity with its σ.
+/// The cameras of the mug, exact, with a disparity and an offset of the principal points.
+pub fn exact_cameras(disparity: Measured<Pixels>, doffs: Measured<Pixels>) -> Model {
+    Model::stereo(Measured::from_base(700.0, 0.0), Measured::from_base(0.1, 0.0), disparity, doffs).unwrap()
+}
+
+/// The same with a disparity alone, and its σ.
 pub fn disparity_only(disparity: f64, sigma: f64) -> Model {
-    Model::stereo(
-        Measured::from_base(700.0, 0.0),
-        Measured::from_base(0.1, 0.0),
-        Measured::from_base(disparity, sigma),
-        NO_DOFFS,
-    )
-    .unwrap()
+    exact_cameras(Measured::from_base(disparity, sigma), NO_DOFFS)
 }
 
 pub fn assert_near(value: f64, expected: f64, tolerance: f64) {
