@@ -86,9 +86,9 @@ fn typical_errors_ui(ui: &mut Ui, sigma: &mut String, commands: &mut Vec<Command
         .width(ui.available_width())
         .selected_text("Typical matching errors…")
         .show_ui(ui, |ui| {
-            for error in MATCHING_ERRORS {
-                let typical = plain(error.sigma.px());
-                let choice = format!("± {typical} px: {}", error.source);
+            for (sigma_px, source) in MATCHING_ERRORS {
+                let typical = plain(sigma_px);
+                let choice = format!("± {typical} px: {source}");
                 if ui.selectable_label(*sigma == typical, choice).clicked() {
                     *sigma = typical;
                     commands.push(Command::Settle);
