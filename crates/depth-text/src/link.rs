@@ -101,12 +101,12 @@ mod tests {
 
     #[test]
     fn the_links_of_the_examples_fill_them_in() {
-        for (link, metres) in [("#fx=700&b=100mm&d=50", 1.4), ("#fx=950&wimg=200&wreal=0.9m", 4.275)] {
+        for (link, meters) in [("#fx=700&b=100mm&d=50", 1.4), ("#fx=950&wimg=200&wreal=0.9m", 4.275)] {
             let mut inputs = Inputs::default();
             assert!(apply(link, &mut inputs));
             let solution = inputs.assess().solution;
             let distance = solution.stereo.distance().or(solution.monocular.distance());
-            assert_eq!(distance, Some(Length::from_m(metres)), "{link}");
+            assert_eq!(distance, Some(Length::from_m(meters)), "{link}");
         }
     }
 

@@ -244,7 +244,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_has_lengths_in_metres_whatever_was_typed() {
+    fn the_table_has_lengths_in_meters_whatever_was_typed() {
         let rows = parameter_rows(&Example::CoffeeMug.inputs().assess().solution);
         let values: Vec<_> = rows.iter().map(|row| (row.value.as_str(), row.unit)).collect();
         assert_eq!(
