@@ -55,7 +55,7 @@ impl Session {
         changed
     }
 
-    /// Takes the inputs for a finished state: what changed since the last one is one step of undo.
+    /// Adds the inputs to the history as a finished state. Undo goes back from one finished state to the one before.
     pub fn settle(&mut self) {
         // Forgets the states to redo where there was an edit; `add_undo` alone keeps them.
         self.history.feed_state(0.0, &self.inputs);

@@ -26,9 +26,9 @@ pub struct WrongEntry {
     pub row: usize,
     /// 0 to 3
     pub column: usize,
-    /// What stands there.
+    /// The value of the entry.
     pub found: f64,
-    /// What should stand there.
+    /// What the entry of a Q matrix must be.
     pub expected: Expected,
 }
 

@@ -1,4 +1,5 @@
-//! Something to say at a field ([`Note`]): what is wrong or looks wrong ([`Issue`]), how bad it is, and what would mend it.
+//! Something to say at a field ([`Note`]): what is wrong or looks wrong ([`Issue`]), how bad it is, and which corrections one
+//! click makes ([`Fix`]).
 //! The sentences are in [`sentences`](crate::sentences).
 
 use crate::entry::Entry;
