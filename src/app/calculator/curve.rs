@@ -3,9 +3,8 @@
 use crate::app::command::Command;
 use crate::app::theme;
 use crate::app::widgets::{picture, plot};
-use crate::core::problem::{Field, Solution};
+use crate::core::problem::{Field, Problem, Solution};
 use crate::core::quantity::{Length, LengthUnit, Pixels};
-use crate::core::stereo;
 use depth_text::{number, report};
 use egui::accesskit::{Action, ActionData, Role};
 use egui::{Align2, CursorIcon, Id, Key, Rect, Response, Sense, Stroke, Ui, pos2, vec2};
@@ -23,24 +22,24 @@ pub struct Curve {
 /// be drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Model {
-    /// fx·b, as the depth at one pixel of disparity, m.
+    /// The depth at one pixel of disparity, m: fx·b/(1 px).
     depth_at_one_px_m: f64,
     disparity_end_px: f64,
     depth_end_m: f64,
 }
 
 impl Model {
-    /// The model for a camera, around `disparity` if there is one.
-    fn new(focal_length: Pixels, baseline: Length, disparity: Option<Pixels>) -> Option<Self> {
+    /// The model of the pair of cameras in `problem`, with axes that show the curve on both sides of `disparity`, or of the middle of
+    /// the usual disparities. `None` unless the pair is known and every number can be drawn.
+    fn new(problem: &Problem, disparity: Option<Pixels>) -> Option<Self> {
         let (low, high) = Field::Disparity.usual_range();
-        let around = disparity.map_or((low * high).sqrt(), Pixels::px);
-        let depth = stereo::depth(focal_length, baseline, Pixels::new(around)).m();
+        let center = disparity.unwrap_or(Pixels::new((low * high).sqrt()));
         let model = Self {
-            depth_at_one_px_m: stereo::depth(focal_length, baseline, Pixels::new(1.0)).m(),
-            disparity_end_px: plot::round_up(around * 1.6),
-            depth_end_m: plot::round_up(depth * 1.6),
+            depth_at_one_px_m: problem.depth_at(Pixels::new(1.0))?.m(),
+            disparity_end_px: plot::round_up(center.px() * 1.6),
+            depth_end_m: plot::round_up(problem.depth_at(center)?.m() * 1.6),
         };
-        [model.depth_at_one_px_m, model.disparity_end_px, model.depth_end_m, around]
+        [model.depth_at_one_px_m, model.disparity_end_px, model.depth_end_m, center.px()]
             .iter()
             .all(|value| value.is_normal())
             .then_some(model)
@@ -64,10 +63,9 @@ impl Model {
     /// The disparity at fraction `x` of the axis, rounded to what the picture, `width` points wide, can resolve.
     fn disparity_at(&self, x: f64, width: f32) -> f64 {
         let resolution = 10f64.powf((self.disparity_end_px / f64::from(width.max(1.0))).log10().floor());
-        let x = x.clamp(0.0, 1.0);
-        let disparity = ((x * self.disparity_end_px / resolution).round() * resolution).max(resolution);
-        // 33.3, not 33.300000000000004: what the field will show.
-        number::plain(disparity).parse().unwrap_or(disparity)
+        let disparity = (x.clamp(0.0, 1.0) * self.disparity_end_px).max(resolution);
+        // The number that the field will show.
+        number::rounded_to(disparity, resolution)
     }
 }
 
@@ -79,11 +77,9 @@ impl Curve {
             .disparity
             .map(|disparity| disparity.value)
             .filter(|_| solution.stereo.distance().is_some());
-        let model = match (problem.focal_length, problem.baseline) {
-            (Some(f), Some(b)) => self.held.or_else(|| Model::new(f.value, b.value, disparity)),
-            _ => None,
-        };
-        let Some(model) = model else {
+        let is_pair = problem.focal_length.is_some() && problem.baseline.is_some();
+        let held = self.held.filter(|_| is_pair);
+        let Some(model) = held.or_else(|| Model::new(problem, disparity)) else {
             self.held = None;
             picture::empty(
                 ui,
@@ -282,8 +278,15 @@ fn plot_ui(ui: &mut Ui, model: Model, unit: LengthUnit) -> Drawn {
 mod tests {
     use super::*;
 
+    fn model(focal_length_px: f64, baseline_m: f64, disparity_px: Option<f64>) -> Option<Model> {
+        let mut problem = Problem::default();
+        problem.set(Field::FocalLength, Some(focal_length_px));
+        problem.set(Field::Baseline, Some(baseline_m));
+        Model::new(&problem, disparity_px.map(Pixels::new))
+    }
+
     fn mug() -> Model {
-        Model::new(Pixels::new(700.0), Length::from_m(0.1), Some(Pixels::new(50.0))).unwrap()
+        model(700.0, 0.1, Some(50.0)).unwrap()
     }
 
     #[test]
@@ -312,7 +315,7 @@ mod tests {
 
     #[test]
     fn extreme_cameras_have_no_curve_rather_than_a_broken_one() {
-        assert_eq!(Model::new(Pixels::new(1e300), Length::from_m(1e300), None), None);
-        assert!(Model::new(Pixels::new(1e150), Length::from_m(1e-150), None).is_some());
+        assert_eq!(model(1e300, 1e300, None), None);
+        assert!(model(1e150, 1e-150, None).is_some());
     }
 }

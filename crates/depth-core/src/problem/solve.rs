@@ -77,15 +77,30 @@ impl Problem {
     /// assert_eq!(mug.stereo_distance_if(-50.0), None);
     /// ```
     pub fn stereo_distance_if(&self, shift: f64) -> Option<Length> {
-        let disparity = self.effective_disparity()?.px() + shift;
-        if disparity <= 0.0 {
+        self.depth_at(Pixels::new(self.effective_disparity()?.px() + shift))
+    }
+
+    /// The depth f·b/d that this pair of cameras gives at another [effective disparity](Self::effective_disparity), d + δ, in pixels;
+    /// `None` unless that is positive, focal length and baseline are known, and the depth is a finite, normal number.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// use depth_core::quantity::Pixels;
+    ///
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// // 700 px · 0.1 m / 1 px.
+    /// assert_eq!(mug.depth_at(Pixels::new(1.0)).unwrap().m(), 70.0);
+    /// assert_eq!(mug.depth_at(Pixels::new(0.0)), None);
+    /// ```
+    ///
+    /// Source: [`stereo::depth`].
+    pub fn depth_at(&self, disparity: Pixels) -> Option<Length> {
+        if disparity.px() <= 0.0 {
             return None;
         }
-        finite_length(stereo::depth(
-            self.focal_length?.value,
-            self.baseline?.value,
-            Pixels::new(disparity),
-        ))
+        finite_length(stereo::depth(self.focal_length?.value, self.baseline?.value, disparity))
     }
 
     /// The inputs of `method` with their σ, as one model.

@@ -62,6 +62,18 @@ pub fn to_decimals(value: f64, decimals: i32) -> String {
     format!("{value:.*}", usize::try_from(decimals).unwrap_or(0).min(17))
 }
 
+/// The multiple of `resolution` that is nearest to `value`, with at most the 12 significant digits that [`plain`] writes: the product
+/// of two floating-point numbers can have a remainder behind them, as in 333 · 0.1 = 33.300000000000004.
+///
+/// `rounded_to(33.333, 0.1)` is 33.3, `rounded_to(1666.0, 100.0)` is 1700.0. Not finite: unchanged.
+pub fn rounded_to(value: f64, resolution: f64) -> f64 {
+    if !value.is_finite() {
+        return value;
+    }
+    let multiple = (value / resolution).round() * resolution;
+    format!("{multiple:.11e}").parse().unwrap_or(multiple)
+}
+
 /// The power of ten of the first digit that `value` has with two significant digits: 0.0158 has −2, 0.0999 has −1.
 pub fn magnitude(value: f64) -> i32 {
     exponent_of(&format!("{value:.1e}")).unwrap_or(0)
@@ -94,6 +106,23 @@ mod tests {
             (f64::INFINITY, NO_NUMBER),
         ] {
             assert_eq!(significant(value, 4), expected, "{value}");
+        }
+    }
+
+    #[test]
+    fn a_rounded_number_has_no_remainder_behind_its_last_digit() {
+        for (value, resolution, expected) in [
+            (33.333, 0.1, 33.3),
+            (0.1 + 0.2, 0.1, 0.3),
+            (1666.0, 100.0, 1700.0),
+            (0.04, 0.1, 0.0),
+            (-2.66, 0.1, -2.7),
+            (7.3, 2.5, 7.5),
+            (1.234e-9, 1e-11, 1.23e-9),
+            (6.02e23, 1e21, 6.02e23),
+            (f64::INFINITY, 1.0, f64::INFINITY),
+        ] {
+            assert_eq!(rounded_to(value, resolution), expected, "{value} to {resolution}");
         }
     }
 
