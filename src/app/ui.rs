@@ -29,8 +29,8 @@ impl App {
         let top = Panel::top("navigation").resizable(false);
         top.frame(bar(ui, cx.layout, 8)).show(ui, |ui| navigation::ui(ui, cx));
         let bottom_bar = BottomBar::new(ui, "screen");
-        bottom_bar.above(ui, |ui| screen_ui(ui, cx, &mut self.calculator));
-        bottom_bar.below(ui, |ui| bottom_ui(ui, cx, self.notice.as_ref()));
+        bottom_bar.above_ui(ui, |ui| screen_ui(ui, cx, &mut self.calculator));
+        bottom_bar.below_ui(ui, |ui| bottom_ui(ui, cx, self.notice.as_ref()));
         match self.dialog {
             Some(Dialog::Keys) => shortcuts::ui(ui, cx),
             Some(Dialog::About) => about::ui(ui, cx),
@@ -78,15 +78,15 @@ fn screen_ui(ui: &mut Ui, cx: &mut AppContext<'_>, calculator: &mut Calculator) 
 
 fn bottom_ui(ui: &mut Ui, cx: &mut AppContext<'_>, notice: Option<&Notice>) {
     if let Some(notice) = notice {
-        separated_bar(ui, cx, 6, |ui, cx| notice.ui(ui, cx));
+        separated_bar_ui(ui, cx, 6, |ui, cx| notice.ui(ui, cx));
     }
     if cx.layout == Layout::Phone && cx.settings.screen == Screen::Calculator {
-        separated_bar(ui, cx, 10, |ui, cx| calculator::result_bar_ui(ui, cx));
+        separated_bar_ui(ui, cx, 10, |ui, cx| calculator::result_bar_ui(ui, cx));
     }
 }
 
 /// A bar below a line.
-fn separated_bar<'a>(ui: &mut Ui, cx: &mut AppContext<'a>, vertical: i8, add_contents: impl FnOnce(&mut Ui, &mut AppContext<'a>)) {
+fn separated_bar_ui<'a>(ui: &mut Ui, cx: &mut AppContext<'a>, vertical: i8, add_contents: impl FnOnce(&mut Ui, &mut AppContext<'a>)) {
     let drawn = bar(ui, cx.layout, vertical).show(ui, |ui| {
         ui.set_width(ui.available_width());
         add_contents(ui, cx);

@@ -14,7 +14,7 @@ pub const TITLE: &str = "Stereo against monocular";
 /// Draws the chart.
 pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
     let Some(model) = Model::new(solution, unit) else {
-        picture::empty(
+        picture::empty_ui(
             ui,
             TITLE,
             "The distances of both methods side by side, as soon as one of them is known.",
@@ -24,7 +24,7 @@ pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
     let top = model.top;
     let marks = plot::marks(top);
     let palette = theme::palette(ui);
-    let response = plot::plot(ui, "bars", -0.75..=1.75)
+    let response = plot::plot_ui(ui, "bars", -0.75..=1.75)
         .show_grid([false, true])
         .y_grid_spacer(move |_| marks.clone())
         .x_grid_spacer(|_| [0.0, 1.0].map(|value| GridMark { value, step_size: 1.0 }).to_vec())
@@ -65,15 +65,15 @@ impl Model {
     fn new(solution: &Solution, unit: LengthUnit) -> Option<Self> {
         let bar = |method| {
             let distance = solution.outcome(method).distance()?.in_unit(unit);
-            let known = solution.uncertainty(method);
-            let label = match known {
-                Some(known) => report::with_sigma(Length::new(distance, unit), known.sigma, unit).text(unit),
+            let uncertainty = solution.uncertainty(method);
+            let label = match uncertainty {
+                Some(uncertainty) => report::with_sigma(Length::new(distance, unit), uncertainty.sigma, unit).text(unit),
                 None => format!("{} {}", number::significant(distance, report::DIGITS), unit.symbol()),
             };
             distance.is_normal().then_some(MethodBar {
                 method,
                 distance,
-                interval: known.map(|known| known.interval),
+                interval: uncertainty.map(|uncertainty| uncertainty.interval),
                 label,
             })
         };
@@ -129,10 +129,10 @@ fn description(solution: &Solution, unit: LengthUnit) -> String {
         .map(|method| {
             let distance = solution.outcome(method).distance();
             let words = match (distance, solution.uncertainty(method)) {
-                (Some(distance), Some(known)) => format!(
+                (Some(distance), Some(uncertainty)) => format!(
                     "{}, from {}",
-                    report::with_sigma(distance, known.sigma, unit).text(unit),
-                    report::interval(known, unit)
+                    report::with_sigma(distance, uncertainty.sigma, unit).text(unit),
+                    report::interval(uncertainty, unit)
                 ),
                 _ => report::length(distance, unit),
             };

@@ -81,7 +81,7 @@ impl Curve {
         let held = self.held.filter(|_| is_pair);
         let Some(model) = held.or_else(|| Model::new(problem, disparity)) else {
             self.held = None;
-            picture::empty(
+            picture::empty_ui(
                 ui,
                 TITLE,
                 "How fast the distance grows as the disparity shrinks, once focal length and baseline are known.",
@@ -260,7 +260,7 @@ fn plot_ui(ui: &mut Ui, model: Model, unit: LengthUnit) -> Drawn {
     let depth_end = Length::from_m(model.depth_end_m).in_unit(unit);
     let disparity_end = model.disparity_end_px;
     let (x_marks, y_marks) = (plot::marks(disparity_end), plot::marks(depth_end));
-    let plot = plot::plot(ui, "curve", 0.0..=1.0)
+    let plot = plot::plot_ui(ui, "curve", 0.0..=1.0)
         .x_axis_label("Disparity (px)")
         .x_grid_spacer(move |_| x_marks.clone())
         .y_grid_spacer(move |_| y_marks.clone())

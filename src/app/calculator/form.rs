@@ -25,7 +25,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
             ui.spacing_mut().item_spacing.y = theme::STEP;
             unknown::ui(ui, cx);
             fields_ui(ui, cx, marked);
-            scoped(ui, "buttons", |ui| {
+            scope_ui(ui, "buttons", |ui| {
                 buttons_ui(ui, cx);
                 ui.add_space(theme::STEP);
                 examples_ui(ui, cx);
@@ -37,8 +37,8 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
 
 fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
     for section in Section::ALL {
-        scoped(ui, section.name(), |ui| {
-            text::card_heading(ui, section.name());
+        scope_ui(ui, section.name(), |ui| {
+            text::card_heading_ui(ui, section.name());
             let mut space = 2.0;
             for key in section.keys() {
                 // Most rigs have no doffs, so the field is hidden until there is one.
@@ -46,7 +46,7 @@ fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
                     continue;
                 }
                 ui.add_space(space);
-                scoped(ui, key.as_str(), |ui| field_ui(ui, cx, key, marked));
+                scope_ui(ui, key.as_str(), |ui| field_ui(ui, cx, key, marked));
                 space = 2.0 * theme::STEP;
             }
         });
@@ -102,7 +102,7 @@ fn typical_errors_ui(ui: &mut Ui, sigma: &mut String, commands: &mut Vec<Command
 
 /// Draws a part of the form in a scope with an id of its own. Otherwise an error that appears would change the ids of all widgets
 /// after it, and with them the nodes that a screen reader knows.
-fn scoped(ui: &mut Ui, name: impl std::hash::Hash + std::fmt::Debug, add_contents: impl FnOnce(&mut Ui)) {
+fn scope_ui(ui: &mut Ui, name: impl std::hash::Hash + std::fmt::Debug, add_contents: impl FnOnce(&mut Ui)) {
     let builder = UiBuilder::new().scope_id(egui::Id::unique(("part of the form", name)));
     ui.scope_builder(builder, add_contents);
 }
@@ -138,9 +138,9 @@ fn buttons_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
 
 fn examples_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     ui.horizontal_wrapped(|ui| {
-        text::caption(ui, "Examples:");
+        text::caption_ui(ui, "Examples:");
         for example in Example::ALL {
-            if text::link_button(ui, example.name(), cx.layout).clicked() {
+            if text::link_button_ui(ui, example.name(), cx.layout).clicked() {
                 cx.commands
                     .push(Command::Open(Box::new(example.inputs()), Sentence::FilledByExample));
             }
@@ -152,22 +152,22 @@ fn examples_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
 fn more_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let inputs = &mut cx.session.inputs;
     ui.horizontal_wrapped(|ui| {
-        text::caption(ui, "More:");
+        text::caption_ui(ui, "More:");
         let name = if inputs.with_uncertainty {
             "Hide uncertainty"
         } else {
             "Add uncertainty"
         };
-        if text::link_button(ui, name, cx.layout).clicked() {
+        if text::link_button_ui(ui, name, cx.layout).clicked() {
             inputs.with_uncertainty = !inputs.with_uncertainty;
             cx.commands.push(Command::Settle);
         }
-        if inputs.unknown.is_none() && text::link_button(ui, "Solve for another quantity", cx.layout).clicked() {
+        if inputs.unknown.is_none() && text::link_button_ui(ui, "Solve for another quantity", cx.layout).clicked() {
             inputs.unknown = Some(unknown::FIRST);
             cx.commands.push(Command::Settle);
         }
         let geometry = Command::ShowGeometry(!cx.settings.shows_geometry);
-        if text::link_button(ui, geometry.text(), cx.layout).clicked() {
+        if text::link_button_ui(ui, geometry.text(), cx.layout).clicked() {
             cx.commands.push(geometry);
         }
     });

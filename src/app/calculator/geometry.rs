@@ -17,18 +17,18 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry) {
     let cards: [Card; 3] = [range_ui, tilt_ui, ground_ui];
     for (number, row) in cards.chunks(columns).enumerate() {
         let id = egui::Id::unique(("geometry", columns, number));
-        cards::row(ui, row, gap, |ui, card| card(ui, cx, geometry, id));
+        cards::row_ui(ui, row, gap, |ui, card| card(ui, cx, geometry, id));
     }
 }
 
 type Card = fn(&mut Ui, &mut AppContext<'_>, &Geometry, egui::Id);
 
 fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui::Id) {
-    cards::card(ui, "Depth or range", |ui| {
+    cards::card_ui(ui, "Depth or range", |ui| {
         fields_ui(ui, cx, geometry, &Geometry::POINT, "range");
         if let Some(point) = geometry.point {
             let length = |length: Length| report::length(Some(length), cx.unit());
-            super::table::pairs(
+            super::table::pairs_ui(
                 ui,
                 "Point and range",
                 &[
@@ -39,20 +39,20 @@ fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui
                 ],
             );
         }
-        text::caption(
+        text::caption_ui(
             ui,
             "The distance of this program is the depth Z along the optical axis. A tape held at the lens measures the range R, which is longer away from the middle of the image.",
         );
-        cards::fill_height(ui, row);
+        cards::fill_height_ui(ui, row);
     });
 }
 
 fn tilt_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui::Id) {
-    cards::card(ui, "Tilted target", |ui| {
+    cards::card_ui(ui, "Tilted target", |ui| {
         fields_ui(ui, cx, geometry, &Geometry::TILTED, "tilt");
         if let Some((target, solved)) = geometry.tilted {
             let share = number::significant(solved.excess * 100.0, 2);
-            super::table::pairs(
+            super::table::pairs_ui(
                 ui,
                 "Tilted target",
                 &[
@@ -62,16 +62,16 @@ fn tilt_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui:
                 ],
             );
         }
-        text::caption(
+        text::caption_ui(
             ui,
             "A target turned away by an angle looks narrower by its cosine, so the monocular method puts it too far away. The distance is that to the plane of the target’s middle, along the optical axis.",
         );
-        cards::fill_height(ui, row);
+        cards::fill_height_ui(ui, row);
     });
 }
 
 fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui::Id) {
-    cards::card(ui, "Ground plane, a third method", |ui| {
+    cards::card_ui(ui, "Ground plane, a third method", |ui| {
         fields_ui(ui, cx, geometry, &Geometry::GROUND, "ground");
         if let Some(distance) = geometry.floor {
             let words = if distance.sigma.m() > 0.0 {
@@ -79,13 +79,13 @@ fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egu
             } else {
                 report::length(Some(distance.value), cx.unit())
             };
-            super::table::pairs(ui, "Ground plane", &[("Distance along the floor", words)]);
+            super::table::pairs_ui(ui, "Ground plane", &[("Distance along the floor", words)]);
         }
-        text::caption(
+        text::caption_ui(
             ui,
             "D = h / tan(θ + atan((v − cy) / fy)): where the ray of an image row meets a level floor. fy is taken to be fx. Needs neither a second camera nor a known size.",
         );
-        cards::fill_height(ui, row);
+        cards::fill_height_ui(ui, row);
     });
 }
 

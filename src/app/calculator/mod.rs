@@ -56,7 +56,7 @@ impl Calculator {
     pub fn ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>) {
         let gap = cx.layout.gap();
         if cx.layout == Layout::Phone {
-            scroll::column(ui, "calculator", |ui| {
+            scroll::column_ui(ui, "calculator", |ui| {
                 ui.spacing_mut().item_spacing.y = gap;
                 self.form_ui(ui, cx);
                 self.results_ui(ui, cx);
@@ -67,7 +67,7 @@ impl Calculator {
             let column = |ui: &mut Ui, rect, id, add_contents: &mut dyn FnMut(&mut Ui)| {
                 let top_down = egui::Layout::top_down(Align::Min);
                 ui.scope_builder(UiBuilder::new().max_rect(rect).layout(top_down), |ui| {
-                    scroll::column(ui, id, |ui| {
+                    scroll::column_ui(ui, id, |ui| {
                         ui.spacing_mut().item_spacing.y = gap;
                         add_contents(ui);
                     });
@@ -152,11 +152,11 @@ impl Calculator {
         };
         for (number, row) in pictures.chunks(columns).enumerate() {
             let id = Id::unique(("row of cards", columns, number));
-            cards::row(ui, row, gap, |ui, &card| self.card_ui(ui, cx, card, id));
+            cards::row_ui(ui, row, gap, |ui, &card| self.card_ui(ui, cx, card, id));
         }
         if cx.layout == Layout::Wide {
             let id = Id::unique("intermediate and table");
-            cards::row(ui, &[Some(Card::Intermediate), None], gap, |ui, card| match card {
+            cards::row_ui(ui, &[Some(Card::Intermediate), None], gap, |ui, card| match card {
                 Some(card) => self.card_ui(ui, cx, *card, id),
                 None => table::ui(ui, &cx.session.assessment().solution),
             });
@@ -169,14 +169,14 @@ impl Calculator {
         let unit = cx.unit();
         let assessment = cx.session.assessment();
         let solution = &assessment.solution;
-        cards::card(ui, card.title(), |ui| {
+        cards::card_ui(ui, card.title(), |ui| {
             match card {
                 Card::Bars => bars::ui(ui, solution, unit),
                 Card::Curve => self.curve.ui(ui, solution, unit, cx.commands),
                 Card::TopView => top_view::ui(ui, solution, unit),
                 Card::Intermediate => intermediate_ui(ui, assessment),
             }
-            cards::fill_height(ui, row);
+            cards::fill_height_ui(ui, row);
         });
     }
 }
@@ -207,7 +207,7 @@ fn intermediate_ui(ui: &mut Ui, assessment: &Assessment) {
         || depth_text::number::NO_NUMBER.to_owned(),
         |width| depth_text::number::significant(width.px(), report::DIGITS),
     );
-    table::pairs(
+    table::pairs_ui(
         ui,
         "Intermediate values",
         &[
@@ -217,7 +217,7 @@ fn intermediate_ui(ui: &mut Ui, assessment: &Assessment) {
             ("Object distance (D, monocular)", meters(solution.monocular.distance())),
         ],
     );
-    text::caption(ui, Statement::widths(solution).to_string());
+    text::caption_ui(ui, Statement::widths(solution).to_string());
 }
 
 /// The contents of the bar that keeps the result in sight on a phone.

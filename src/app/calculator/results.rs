@@ -3,7 +3,7 @@
 use crate::app::command::Command;
 use crate::app::context::AppContext;
 use crate::app::theme;
-use crate::app::widgets::unit_choice::length_unit_choice;
+use crate::app::widgets::unit_choice::length_unit_choice_ui;
 use crate::app::widgets::{cards, text};
 use crate::core::agreement::{Suspect, Verdict};
 use crate::core::problem::{Comparison, Method, Solution};
@@ -40,7 +40,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     if let Some(unknown) = &assessment.unknown {
         let inputs = &cx.session.inputs;
         let unit = inputs.unknown.and_then(|(_, field)| assessment.length_unit(field, inputs));
-        card(ui, Key::from(unknown.field).name, |ui| solved_ui(ui, unknown, unit));
+        card_ui(ui, Key::from(unknown.field).name, |ui| solved_ui(ui, unknown, unit));
     }
     let mut shown: Vec<Shown<'_>> = Method::ALL
         .into_iter()
@@ -48,20 +48,20 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
         .map(Shown::Method)
         .collect();
     if shown.is_empty() {
-        card(ui, "Result", |ui| empty_ui(ui, unit));
+        card_ui(ui, "Result", |ui| empty_ui(ui, unit));
         return;
     }
     shown.extend(solution.comparison.as_ref().map(Shown::Comparison));
     let columns = if layout.columns() == 1 { 1 } else { shown.len() };
     for (number, row) in shown.chunks(columns).enumerate() {
         let id = Id::unique(("results", columns, number));
-        cards::row(ui, row, layout.gap(), |ui, &shown| {
-            card(ui, shown.name(), |ui| {
+        cards::row_ui(ui, row, layout.gap(), |ui, &shown| {
+            card_ui(ui, shown.name(), |ui| {
                 match shown {
                     Shown::Method(method) => result_ui(ui, solution, method, unit),
                     Shown::Comparison(comparison) => combined_ui(ui, comparison, &assessment.suspects(), unit),
                 }
-                cards::fill_height(ui, id);
+                cards::fill_height_ui(ui, id);
             });
         });
     }
@@ -71,15 +71,15 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
 fn heading_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let palette = theme::palette(ui);
     ui.horizontal(|ui| {
-        text::heading(ui, "Results", 2, theme::strong(theme::RESULTS_HEADING_SIZE), palette.text);
+        text::heading_ui(ui, "Results", 2, theme::strong(theme::RESULTS_HEADING_SIZE), palette.text);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let mut chosen = cx.unit();
             ui.spacing_mut().interact_size.y = cx.layout.heading_control_height();
-            length_unit_choice(ui, "unit of the results", "Unit of the results", &mut chosen, theme::UNIT_WIDTH);
+            length_unit_choice_ui(ui, "unit of the results", "Unit of the results", &mut chosen, theme::UNIT_WIDTH);
             if chosen != cx.unit() {
                 cx.commands.push(Command::ShowResultsIn(chosen));
             }
-            text::caption(ui, "in");
+            text::caption_ui(ui, "in");
         });
     });
 }
@@ -109,20 +109,20 @@ fn combined_ui(ui: &mut Ui, comparison: &Comparison, suspects: &[Suspect], unit:
         Some(Verdict::Disagree) => ("They disagree", palette.red, palette.red_tint),
         None => ("Combined", palette.muted, palette.highlight),
     };
-    text::badge(ui, words, front, back);
+    text::badge_ui(ui, words, front, back);
     match comparison.combined {
         Some(combined) => {
             let words = report::with_sigma(combined.value, combined.sigma, unit);
-            number(
+            number_ui(
                 ui,
                 &words.value,
                 &format!("{} ± {}", unit.symbol(), words.sigma),
                 "Combined distance",
             );
-            text::caption(ui, "Combined estimate; the shared focal length is accounted for");
+            text::caption_ui(ui, "Combined estimate; the shared focal length is accounted for");
         }
         None => {
-            number(ui, depth_text::number::NO_NUMBER, unit.symbol(), "Combined distance");
+            number_ui(ui, depth_text::number::NO_NUMBER, unit.symbol(), "Combined distance");
         }
     }
     if comparison.agreement.verdict != Some(Verdict::Agree) {
@@ -133,14 +133,14 @@ fn combined_ui(ui: &mut Ui, comparison: &Comparison, suspects: &[Suspect], unit:
         );
     }
     for suspect in suspects.iter().take(3) {
-        text::caption(ui, format!("• {}", Statement::suspect(suspect)));
+        text::caption_ui(ui, format!("• {}", Statement::suspect(suspect)));
     }
 }
 
 /// The quantity that was solved for.
 fn solved_ui(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
     let palette = theme::palette(ui);
-    text::badge(
+    text::badge_ui(
         ui,
         &format!("{}: {}", unknown.method.name(), Key::from(unknown.field).name),
         palette.green,
@@ -157,7 +157,7 @@ fn solved_ui(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
     ui.accesskit_node_builder(response.id, |node| node.set_description(Key::from(unknown.field).name));
 }
 
-fn card(ui: &mut Ui, name: &str, add_contents: impl FnOnce(&mut Ui)) {
+fn card_ui(ui: &mut Ui, name: &str, add_contents: impl FnOnce(&mut Ui)) {
     let builder = UiBuilder::new().accessibility_role(Role::Region).accessibility_label(name);
     ui.scope_builder(builder, |ui| {
         theme::card(theme::palette(ui)).show(ui, |ui| {
@@ -167,7 +167,7 @@ fn card(ui: &mut Ui, name: &str, add_contents: impl FnOnce(&mut Ui)) {
     });
 }
 
-fn number(ui: &mut Ui, value: &str, unit: &str, name: &str) {
+fn number_ui(ui: &mut Ui, value: &str, unit: &str, name: &str) {
     let palette = theme::palette(ui);
     // One label, so that "1.400 m" is read aloud, found and copied as a whole.
     let mut job = egui::text::LayoutJob::default();
@@ -188,34 +188,34 @@ fn number(ui: &mut Ui, value: &str, unit: &str, name: &str) {
 fn result_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
     let palette = theme::palette(ui);
     let (front, back) = text::badge_colors(palette, method);
-    text::badge(ui, method.name(), front, back);
+    text::badge_ui(ui, method.name(), front, back);
     let distance = solution.outcome(method).distance();
     let name = format!("{} distance", method.name());
     match (distance, solution.uncertainty(method)) {
-        (Some(distance), Some(known)) => {
-            let words = report::with_sigma(distance, known.sigma, unit);
-            number(ui, &words.value, &format!("{} ± {}", unit.symbol(), words.sigma), &name);
-            let cause = report::main_cause(known).map_or_else(String::new, |cause| format!(" · {cause}"));
-            text::caption(ui, format!("{}{cause}", report::interval(known, unit)));
+        (Some(distance), Some(uncertainty)) => {
+            let words = report::with_sigma(distance, uncertainty.sigma, unit);
+            number_ui(ui, &words.value, &format!("{} ± {}", unit.symbol(), words.sigma), &name);
+            let cause = report::main_cause(uncertainty).map_or_else(String::new, |cause| format!(" · {cause}"));
+            text::caption_ui(ui, format!("{}{cause}", report::interval(uncertainty, unit)));
         }
-        _ => number(ui, &report::length_number(distance, unit), unit.symbol(), &name),
+        _ => number_ui(ui, &report::length_number(distance, unit), unit.symbol(), &name),
     }
     if method == Method::Stereo
         && let Some(range) = report::one_pixel_around(solution, unit)
     {
-        text::caption(ui, format!("{range} with one pixel of disparity more or less"));
+        text::caption_ui(ui, format!("{range} with one pixel of disparity more or less"));
     }
-    text::caption(ui, report::formula(solution, method));
+    text::caption_ui(ui, report::formula(solution, method));
     if let Some(formula) = report::formula_with_numbers(solution, method) {
         ui.label(RichText::new(formula).size(theme::SMALL_SIZE).color(palette.text));
     }
 }
 
 fn empty_ui(ui: &mut Ui, unit: LengthUnit) {
-    number(ui, depth_text::number::NO_NUMBER, unit.symbol(), "Distance");
+    number_ui(ui, depth_text::number::NO_NUMBER, unit.symbol(), "Distance");
     for method in Method::ALL {
         let [first, second, third] = method.fields().map(|field| Key::from(field).symbol);
-        text::caption(
+        text::caption_ui(
             ui,
             format!("{}: {} needs {first}, {second} and {third}.", method.name(), method.formula()),
         );

@@ -2,7 +2,7 @@
 
 use crate::app::theme;
 use crate::app::widgets::cards;
-use crate::app::widgets::table::{Cell, row, table};
+use crate::app::widgets::table::{Cell, row_ui, table_ui};
 use crate::core::problem::Solution;
 use depth_text::report::{self, Row};
 use egui::accesskit::Role;
@@ -12,12 +12,12 @@ use egui::{FontId, Ui};
 /// The table "Key input parameters and outputs".
 pub fn ui(ui: &mut Ui, solution: &Solution) {
     const TITLE: &str = "Key input parameters and outputs";
-    cards::card(ui, TITLE, |ui| {
+    cards::card_ui(ui, TITLE, |ui| {
         let narrow = ui.available_width() < 480.0;
         let shares = if narrow { [1.2, 0.8, 0.7, 1.3] } else { [1.25, 0.55, 0.5, 1.7] };
         let size = if narrow { theme::SMALL_SIZE } else { theme::BODY_SIZE };
         let palette = theme::palette(ui);
-        table(ui, TITLE, |ui| {
+        table_ui(ui, TITLE, |ui| {
             let header = |text, align_right| Cell {
                 text: LayoutJob::simple_singleline(String::from(text), theme::strong(theme::SMALL_SIZE), palette.muted),
                 role: Role::ColumnHeader,
@@ -29,7 +29,7 @@ pub fn ui(ui: &mut Ui, solution: &Solution) {
                 header("Unit", false),
                 header("Description", false),
             ];
-            row(ui, headers, &shares);
+            row_ui(ui, headers, &shares);
             for Row {
                 parameter,
                 value,
@@ -46,15 +46,15 @@ pub fn ui(ui: &mut Ui, solution: &Solution) {
                     cell(ui, unit, theme::regular(size), Role::Cell),
                     cell(ui, description, theme::regular(size), Role::Cell),
                 ];
-                row(ui, cells, &shares);
+                row_ui(ui, cells, &shares);
             }
         });
     });
 }
 
 /// A table of names and values without a header, named `title`.
-pub fn pairs(ui: &mut Ui, title: &str, rows: &[(&str, String)]) {
-    table(ui, title, |ui| {
+pub fn pairs_ui(ui: &mut Ui, title: &str, rows: &[(&str, String)]) {
+    table_ui(ui, title, |ui| {
         for (name, value) in rows {
             let cells = vec![
                 cell(ui, name, theme::regular(theme::BODY_SIZE), Role::RowHeader),
@@ -63,7 +63,7 @@ pub fn pairs(ui: &mut Ui, title: &str, rows: &[(&str, String)]) {
                     ..cell(ui, value, theme::strong(theme::BODY_SIZE), Role::Cell)
                 },
             ];
-            row(ui, cells, &[1.9, 1.0]);
+            row_ui(ui, cells, &[1.9, 1.0]);
         }
     });
 }

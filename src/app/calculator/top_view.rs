@@ -17,7 +17,7 @@ const CLOSE: f32 = 24.0;
 pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
     let palette = theme::palette(ui);
     let Some(model) = Model::new(solution) else {
-        picture::empty(
+        picture::empty_ui(
             ui,
             TITLE,
             "The cameras, their lines of sight and the object from above, as soon as a distance is known.",
@@ -28,7 +28,7 @@ pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
     let scene = Scene::new(&model, rect.shrink(4.0));
     paint(&ui.painter().with_clip_rect(rect), palette, &model, &scene, unit);
     picture::describe(ui, &response, TITLE, &model.description(unit));
-    super::super::widgets::text::caption(ui, model.remark());
+    super::super::widgets::text::caption_ui(ui, model.remark());
 }
 
 /// The scene in meters: x to the right, z away from the cameras, the middle of the cameras at the origin.
@@ -54,7 +54,7 @@ impl Model {
         };
         let interval_m = solution
             .uncertainty(method)
-            .map(|known| (known.interval.near.m(), known.interval.far.map(Length::m)));
+            .map(|uncertainty| (uncertainty.interval.near.m(), uncertainty.interval.far.map(Length::m)));
         let model = match solution.stereo.distance() {
             Some(depth) => Self {
                 depth_m: depth.m(),

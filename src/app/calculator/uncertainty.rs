@@ -62,8 +62,8 @@ impl Simulations {
     /// Runs the simulations that `assessment` needs for one frame. Returns whether another frame is needed.
     pub fn advance(&mut self, assessment: &Assessment) -> bool {
         let wanted = |method| {
-            let known = assessment.solution.uncertainty(method)?;
-            (!known.model.first_order_is_good()).then_some(known.model)
+            let uncertainty = assessment.solution.uncertainty(method)?;
+            (!uncertainty.model.first_order_is_good()).then_some(uncertainty.model)
         };
         let stereo = self.stereo.restart_for(wanted(Method::Stereo));
         let monocular = self.monocular.restart_for(wanted(Method::Monocular));
@@ -83,30 +83,30 @@ impl Simulations {
 pub fn ui(ui: &mut Ui, cx: &AppContext<'_>, simulations: &Simulations) {
     let (columns, gap, unit) = (cx.layout.columns(), cx.layout.gap(), cx.unit());
     let solution = &cx.session.assessment().solution;
-    let known: Vec<Method> = Method::ALL
+    let methods: Vec<Method> = Method::ALL
         .into_iter()
         .filter(|&method| solution.uncertainty(method).is_some())
         .collect();
-    for (number, row) in known.chunks(columns.min(2)).enumerate() {
+    for (number, row) in methods.chunks(columns.min(2)).enumerate() {
         let id = egui::Id::unique(("budgets", columns, number));
-        cards::row(ui, row, gap, |ui, &method| {
-            cards::card(ui, budget_title(method), |ui| {
+        cards::row_ui(ui, row, gap, |ui, &method| {
+            cards::card_ui(ui, budget_title(method), |ui| {
                 budget_ui(ui, solution, method, unit);
-                cards::fill_height(ui, id);
+                cards::fill_height_ui(ui, id);
             });
         });
     }
-    let simulated: Vec<(Method, &Simulation)> = known
+    let simulated: Vec<(Method, &Simulation)> = methods
         .into_iter()
         .map(|method| (method, simulations.of(method)))
         .filter(|(_, simulation)| !matches!(simulation, Simulation::None))
         .collect();
     for (number, row) in simulated.chunks(columns.min(2)).enumerate() {
         let id = egui::Id::unique(("simulations", columns, number));
-        cards::row(ui, row, gap, |ui, (method, simulation)| {
-            cards::card(ui, simulation_title(*method), |ui| {
+        cards::row_ui(ui, row, gap, |ui, (method, simulation)| {
+            cards::card_ui(ui, simulation_title(*method), |ui| {
                 simulation_ui(ui, *method, simulation, unit);
-                cards::fill_height(ui, id);
+                cards::fill_height_ui(ui, id);
             });
         });
     }
@@ -141,10 +141,10 @@ fn color_of(ui: &Ui, field: Field) -> Color32 {
 fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
     const BAR: f32 = 20.0;
     let palette = theme::palette(ui);
-    let Some(known) = solution.uncertainty(method) else { return };
+    let Some(uncertainty) = solution.uncertainty(method) else { return };
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), BAR), Sense::hover());
     let mut x = rect.left();
-    for share in &known.budget {
+    for share in &uncertainty.budget {
         let width = rect.width() * to_f32(share.share);
         let part = Rect::from_min_size(pos2(x, rect.top()), vec2(width, BAR));
         ui.painter().rect_filled(part, 0.0, color_of(ui, share.source));
@@ -156,10 +156,10 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
         ui,
         &response,
         budget_title(method),
-        &format!("Shares of the variance: {}.", report::budget(known)),
+        &format!("Shares of the variance: {}.", report::budget(uncertainty)),
     );
     ui.add_space(theme::STEP);
-    for share in known.budget.iter().filter(|share| share.share > 0.0) {
+    for share in uncertainty.budget.iter().filter(|share| share.share > 0.0) {
         let line = vec2(ui.available_width(), 20.0);
         ui.allocate_ui_with_layout(line, egui::Layout::left_to_right(egui::Align::Center), |ui| {
             let (dot, _) = ui.allocate_exact_size(vec2(12.0, 12.0), Sense::hover());
@@ -167,16 +167,16 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
             ui.label(format!("{} {}", report::short_name(share.source), report::percent(share.share)));
         });
     }
-    if let Some(bias) = known.bias
-        && bias.m() > known.sigma.m() / 100.0
+    if let Some(bias) = uncertainty.bias
+        && bias.m() > uncertainty.sigma.m() / 100.0
     {
         let bias = report::length(Some(bias), unit);
-        text::caption(
+        text::caption_ui(
             ui,
             format!("Averaging many such distances comes out {bias} too far: average the pixels, not the distances."),
         );
     }
-    if !known.model.first_order_is_good() {
+    if !uncertainty.model.first_order_is_good() {
         let amber = palette.amber;
         ui.label(
             egui::RichText::new(format!("⚠ {}", report::FIRST_ORDER_IS_POOR))
@@ -188,7 +188,7 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
 
 fn simulation_ui(ui: &mut Ui, method: Method, simulation: &Simulation, unit: LengthUnit) {
     let Simulation::Done(_, distribution) = simulation else {
-        text::caption(ui, "Drawing 100 000 times…");
+        text::caption_ui(ui, "Drawing 100 000 times…");
         return;
     };
     histogram_ui(ui, method, distribution, unit);
@@ -197,7 +197,7 @@ fn simulation_ui(ui: &mut Ui, method: Method, simulation: &Simulation, unit: Len
         (Some(near), Some(far)) => format!("{} … {}", report::length_number(Some(near), unit), report::length(Some(far), unit)),
         (near, far) => format!("{} … {}", end(near), end(far)),
     };
-    super::table::pairs(
+    super::table::pairs_ui(
         ui,
         simulation_title(method),
         &[
@@ -207,7 +207,7 @@ fn simulation_ui(ui: &mut Ui, method: Method, simulation: &Simulation, unit: Len
             ("Infinitely far", report::percent(distribution.share_infinite)),
         ],
     );
-    text::caption(
+    text::caption_ui(
         ui,
         format!(
             "{} draws of all inputs, the same ones every time. A draw whose pixels are zero or less counts as infinitely far.",

@@ -35,7 +35,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let (inputs, assessment) = cx.session.parts();
     let Some(before) = inputs.unknown else { return };
     let mut chosen = Some(before);
-    text::card_heading(ui, "Solve for");
+    text::card_heading_ui(ui, "Solve for");
     ComboBox::from_id_salt("solve for")
         .width(ui.available_width())
         .selected_text(name(before))
@@ -67,7 +67,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     };
     field.ui(ui, cx.commands);
     if let Some(Err(reason)) = assessment.unknown.as_ref().map(|unknown| &unknown.outcome) {
-        text::caption(ui, reason.to_string());
+        text::caption_ui(ui, reason.to_string());
     }
     ui.add_space(2.0 * theme::STEP);
 }
@@ -84,5 +84,5 @@ pub fn solution_ui(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
         rect.shrink2(vec2(10.0, 0.0)),
         egui::Label::new(RichText::new(words).font(theme::strong(theme::BODY_SIZE))),
     );
-    text::caption(ui, "Computed from the distance and the other quantities.");
+    text::caption_ui(ui, "Computed from the distance and the other quantities.");
 }

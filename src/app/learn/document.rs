@@ -2,7 +2,7 @@
 //! `assets/learn.md`.
 
 use crate::app::theme;
-use crate::app::widgets::table::{Cell, row, table};
+use crate::app::widgets::table::{self, Cell};
 use crate::app::widgets::text;
 use egui::accesskit::Role;
 use egui::text::{LayoutJob, TextFormat};
@@ -73,7 +73,7 @@ fn blocks_ui(ui: &mut Ui, blocks: &[Block], target_height: f32, followed: &mut O
                 if number > 0 {
                     ui.add_space(before);
                 }
-                text::heading(ui, title, *level, theme::strong(size), palette.text);
+                text::heading_ui(ui, title, *level, theme::strong(size), palette.text);
                 ui.add_space(theme::STEP);
             }
             Block::Paragraph(spans) => {
@@ -230,13 +230,13 @@ fn table_ui(ui: &mut Ui, header: &[&[Span]], rows: &[&[&[Span]]]) {
             f32::from(u8::try_from(longest.unwrap_or(1).clamp(8, 44)).unwrap_or(u8::MAX))
         })
         .collect();
-    table(ui, &header.iter().map(|cell| plain(cell)).collect::<Vec<_>>().join(", "), |ui| {
+    table::table_ui(ui, &header.iter().map(|cell| plain(cell)).collect::<Vec<_>>().join(", "), |ui| {
         let headers = header.iter().map(|cell| Cell {
             text: LayoutJob::simple(plain(cell), theme::strong(theme::SMALL_SIZE), palette.muted, 0.0),
             role: Role::ColumnHeader,
             align_right: false,
         });
-        row(ui, headers.collect(), &shares);
+        table::row_ui(ui, headers.collect(), &shares);
         for cells in rows {
             let cells = cells.iter().enumerate().map(|(column, cell)| Cell {
                 text: job(ui, cell, theme::BODY_SIZE),
@@ -244,7 +244,7 @@ fn table_ui(ui: &mut Ui, header: &[&[Span]], rows: &[&[&[Span]]]) {
                 align_right: false,
             });
             let cells = cells.collect();
-            row(ui, cells, &shares);
+            table::row_ui(ui, cells, &shares);
         }
     });
 }

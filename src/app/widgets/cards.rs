@@ -1,11 +1,11 @@
 //! Cards, alone and side by side in rows of equal height.
 
-use super::text::card_heading;
+use super::text::card_heading_ui;
 use crate::app::theme;
 use egui::{Id, Ui, UiBuilder, accesskit::Role, vec2};
 
 /// A card over the full width, with a heading, as a region that assistive technology can jump to.
-pub fn card(ui: &mut Ui, title: &str, add_contents: impl FnOnce(&mut Ui)) {
+pub fn card_ui(ui: &mut Ui, title: &str, add_contents: impl FnOnce(&mut Ui)) {
     let builder = UiBuilder::new()
         .id_salt(title)
         .accessibility_role(Role::Region)
@@ -13,7 +13,7 @@ pub fn card(ui: &mut Ui, title: &str, add_contents: impl FnOnce(&mut Ui)) {
     ui.scope_builder(builder, |ui| {
         theme::card(theme::palette(ui)).show(ui, |ui| {
             ui.set_width(ui.available_width());
-            card_heading(ui, title);
+            card_heading_ui(ui, title);
             ui.add_space(theme::STEP);
             add_contents(ui);
         });
@@ -21,8 +21,8 @@ pub fn card(ui: &mut Ui, title: &str, add_contents: impl FnOnce(&mut Ui)) {
 }
 
 /// A row of cells of equal width and height. `add_cell` draws one of `cells` in a `Ui` of its width and may use
-/// [`fill_height`] at the end of its card to reach the height of its tallest neighbor.
-pub fn row<T>(ui: &mut Ui, cells: &[T], gap: f32, mut add_cell: impl FnMut(&mut Ui, &T)) {
+/// [`fill_height_ui`] at the end of its card to reach the height of its tallest neighbor.
+pub fn row_ui<T>(ui: &mut Ui, cells: &[T], gap: f32, mut add_cell: impl FnMut(&mut Ui, &T)) {
     let count = f32::from(u16::try_from(cells.len()).unwrap_or(u16::MAX).max(1));
     let width = ((ui.available_width() - gap * (count - 1.0)) / count).floor();
     ui.horizontal_top(|ui| {
@@ -40,7 +40,7 @@ pub fn row<T>(ui: &mut Ui, cells: &[T], gap: f32, mut add_cell: impl FnMut(&mut 
 /// Stretches the content of a card to the tallest content of the cards that share `row`.
 ///
 /// Heights are those of the previous pass; when they change the pass is done again, so nothing jumps.
-pub fn fill_height(ui: &mut Ui, row: Id) {
+pub fn fill_height_ui(ui: &mut Ui, row: Id) {
     #[derive(Clone, Copy, Default)]
     struct Tallest {
         pass: u64,

@@ -1,7 +1,7 @@
 //! The field of the program: label, text, unit, σ, hint, and what is wrong with it. One widget for every field of the table.
 
 use super::text;
-use super::unit_choice::length_unit_choice;
+use super::unit_choice::length_unit_choice_ui;
 use crate::app::command::{Command, Helper, Scope};
 use crate::app::theme::{self, SIGMA_WIDTH, UNIT_WIDTH};
 use crate::core::quantity::LengthUnit;
@@ -81,7 +81,7 @@ impl Field<'_> {
             }
         });
         if !self.key.hint.is_empty() {
-            text::caption(ui, self.key.hint);
+            text::caption_ui(ui, self.key.hint);
         }
         for note in &self.notes {
             let about = match note.part {
@@ -110,7 +110,7 @@ impl Field<'_> {
         let color = self.note(Part::Value).map(|note| border_color(ui, note));
         let output = ui
             .scope(|ui| {
-                set_border(ui, color);
+                border_ui(ui, color);
                 let palette = theme::palette(ui);
                 TextEdit::singleline(&mut self.entry.text)
                     .id(self.id)
@@ -187,7 +187,7 @@ impl Field<'_> {
         };
         let before = unit;
         let name = format!("Unit of {}", self.key.name);
-        length_unit_choice(ui, (self.id, "unit"), &name, &mut unit, UNIT_WIDTH);
+        length_unit_choice_ui(ui, (self.id, "unit"), &name, &mut unit, UNIT_WIDTH);
         if unit != before {
             self.entry.tidy(self.key);
             self.entry.unit = Some(unit);
@@ -230,7 +230,7 @@ impl Field<'_> {
         let color = self.note(Part::Sigma).map(|note| border_color(ui, note));
         let response = ui
             .scope(|ui| {
-                set_border(ui, color);
+                border_ui(ui, color);
                 // Not `Role::NumberInput`: the number keyboard of most phones has no "%".
                 TextEdit::singleline(&mut self.entry.sigma)
                     .id(id)
@@ -265,7 +265,7 @@ fn border_color(ui: &Ui, note: &Note) -> egui::Color32 {
 }
 
 /// Gives the next field in `ui` the border of what is wrong with it.
-fn set_border(ui: &mut Ui, color: Option<egui::Color32>) {
+fn border_ui(ui: &mut Ui, color: Option<egui::Color32>) {
     if let Some(color) = color {
         let widgets = &mut ui.visuals_mut().widgets;
         widgets.inactive.bg_stroke = Stroke::new(theme::STRONG_LINE, color);
@@ -274,7 +274,7 @@ fn set_border(ui: &mut Ui, color: Option<egui::Color32>) {
 }
 
 fn note_ui(ui: &mut Ui, note: &Note, about: Id, commands: &mut Vec<Command>) {
-    text::note(ui, note.severity, &note.message(), Some(about));
+    text::note_ui(ui, note.severity, &note.message(), Some(about));
     if !note.fixes.is_empty() {
         ui.horizontal_wrapped(|ui| {
             let height = ui.spacing().interact_size.y;

@@ -14,7 +14,7 @@ pub fn describe(ui: &Ui, response: &Response, name: &str, description: &str) {
 }
 
 /// A frame in place of a picture that has nothing to show yet, with a sentence that says what it will show.
-pub fn empty(ui: &mut Ui, name: &str, explanation: &str) {
+pub fn empty_ui(ui: &mut Ui, name: &str, explanation: &str) {
     let palette = theme::palette(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::PICTURE_HEIGHT), Sense::hover());
     let line = Stroke::new(theme::THIN_LINE, palette.line);

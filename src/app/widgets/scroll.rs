@@ -4,7 +4,7 @@ use egui::{Id, ScrollArea, Ui};
 
 /// A column that scrolls. The focused widget is scrolled into view when it gets the focus, and when the column becomes lower, as when
 /// the keyboard of a phone opens: egui does neither by itself.
-pub fn column(ui: &mut Ui, id: &str, add_contents: impl FnOnce(&mut Ui)) {
+pub fn column_ui(ui: &mut Ui, id: &str, add_contents: impl FnOnce(&mut Ui)) {
     ScrollArea::vertical().id_salt(id).auto_shrink([false, false]).show(ui, |ui| {
         add_contents(ui);
         reveal_focus(ui);
@@ -12,7 +12,7 @@ pub fn column(ui: &mut Ui, id: &str, add_contents: impl FnOnce(&mut Ui)) {
 }
 
 /// A scroll area at most `height` points high, which keeps the focused widget in view.
-pub fn up_to(ui: &mut Ui, height: f32, add_contents: impl FnOnce(&mut Ui)) {
+pub fn up_to_ui(ui: &mut Ui, height: f32, add_contents: impl FnOnce(&mut Ui)) {
     ScrollArea::vertical().max_height(height).show(ui, |ui| {
         add_contents(ui);
         reveal_focus(ui);

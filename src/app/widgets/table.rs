@@ -16,8 +16,8 @@ pub struct Cell {
     pub align_right: bool,
 }
 
-/// A table named `name`; `add_rows` calls [`row`].
-pub fn table(ui: &mut Ui, name: &str, add_rows: impl FnOnce(&mut Ui)) {
+/// A table named `name`; `add_rows` calls [`row_ui`].
+pub fn table_ui(ui: &mut Ui, name: &str, add_rows: impl FnOnce(&mut Ui)) {
     let builder = UiBuilder::new().accessibility_role(Role::Table).accessibility_label(name);
     ui.scope_builder(builder, |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
@@ -26,7 +26,7 @@ pub fn table(ui: &mut Ui, name: &str, add_rows: impl FnOnce(&mut Ui)) {
 }
 
 /// A row of `cells`, each with its share of the width, over a thin line.
-pub fn row(ui: &mut Ui, cells: Vec<Cell>, shares: &[f32]) {
+pub fn row_ui(ui: &mut Ui, cells: Vec<Cell>, shares: &[f32]) {
     const PADDING: f32 = 7.0;
     const BETWEEN: f32 = 12.0;
     let palette = theme::palette(ui);

@@ -4,7 +4,7 @@ mod q_matrix;
 
 use crate::app::command::{Command, Helper};
 use crate::app::context::AppContext;
-use crate::app::dialog::{DialogFrame, close_button};
+use crate::app::dialog::{DialogFrame, close_button_ui};
 use crate::app::saved::{Settings, Ways};
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
@@ -52,10 +52,10 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: &Solved)
         max_width: 440.0,
     };
     let cancel = Command::Help(None);
-    let response = frame.show(ui, |ui| {
+    let response = frame.ui(ui, |ui| {
         ui.spacing_mut().interact_size.y = cx.layout.control_height();
         ui.add_space(2.0 * theme::STEP);
-        scroll::up_to(ui, ui.ctx().content_rect().height() - 180.0, |ui| {
+        scroll::up_to_ui(ui, ui.ctx().content_rect().height() - 180.0, |ui| {
             let way = way_choice_ui(ui, helper, &mut cx.settings.ways);
             match way {
                 Some(way) => way_ui(ui, cx, way, solved.of_way(way)),
@@ -63,7 +63,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: &Solved)
             }
         });
         ui.add_space(theme::STEP);
-        close_button(ui, cancel.text(), cx.layout)
+        close_button_ui(ui, cancel.text(), cx.layout)
     });
     if response.inner || response.should_close() {
         cx.commands.push(cancel);
@@ -159,14 +159,14 @@ fn way_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
             sensor_formats_ui(ui, cx.settings.entries.entry_mut(key));
         }
     }
-    text::caption(ui, way.remark);
+    text::caption_ui(ui, way.remark);
     ui.add_space(theme::STEP);
     let symbol = way.target.symbol;
     let label = result.value.map_or_else(
         || format!("Use as {symbol}"),
         |value| format!("Use {symbol} = {} px", significant(value, 6)),
     );
-    if use_button(ui, &label, result.value.is_some())
+    if use_button_ui(ui, &label, result.value.is_some())
         && let Some(value) = result.value
     {
         cx.commands.push(Command::Fix(way.target, way.entry(value)));
@@ -191,7 +191,7 @@ fn sensor_formats_ui(ui: &mut Ui, entry: &mut Entry) {
     ui.add_space(2.0 * theme::STEP);
 }
 
-fn use_button(ui: &mut Ui, label: &str, enabled: bool) -> bool {
+fn use_button_ui(ui: &mut Ui, label: &str, enabled: bool) -> bool {
     let height = ui.spacing().interact_size.y;
     let palette = theme::palette(ui);
     let button = Button::new(RichText::new(label).font(theme::strong(theme::BODY_SIZE)).color(palette.on_blue))

@@ -30,12 +30,12 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, read: Option<&Result<StereoGeome
                 .hint_text(RichText::new("[[1. 0. 0. −610.] [0. 1. 0. −350.] [0. 0. 0. 700.] [0. 0. 0.01 0.4]]").color(palette.muted)),
         )
         .labelled_by(name.id);
-    text::caption(ui, "As numpy prints it, as OpenCV's YAML or XML has it, or as sixteen numbers.");
+    text::caption_ui(ui, "As numpy prints it, as OpenCV's YAML or XML has it, or as sixteen numbers.");
     ui.add_space(theme::STEP);
     match read {
         Some(Ok(geometry)) => geometry_ui(ui, cx, geometry, field.id),
         Some(Err(issue)) => {
-            text::note(ui, Severity::Error, &issue.to_string(), Some(field.id));
+            text::note_ui(ui, Severity::Error, &issue.to_string(), Some(field.id));
         }
         None => {}
     }
@@ -52,7 +52,7 @@ fn geometry_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, 
         significant(geometry.cy.px(), 6)
     ));
     if geometry.swapped {
-        text::note(ui, Severity::Warning, &Issue::QMatrixSwapped.to_string(), Some(field));
+        text::note_ui(ui, Severity::Warning, &Issue::QMatrixSwapped.to_string(), Some(field));
     }
     ui.add_space(theme::STEP);
     ui.label(format!("A Q matrix carries no unit. In which unit is the baseline {baseline}?"));
