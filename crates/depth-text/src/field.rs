@@ -81,7 +81,7 @@ impl Kind {
 }
 
 /// A part of the form.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Section {
     /// What both methods need.
     Camera,

@@ -1,5 +1,6 @@
 //! The chart of stereo distance against monocular distance.
 
+use super::card::Card;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::{picture, plot};
 use crate::core::problem::{Method, Solution};
@@ -9,14 +10,12 @@ use depth_text::{number, report};
 use egui::{Align2, RichText, Stroke, Ui};
 use egui_plot::{Bar, BarChart, GridMark, Line, PlotPoint, PlotPoints, PlotUi, Text};
 
-pub const TITLE: &str = "Stereo against monocular";
-
 /// Draws the chart.
 pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
     let Some(model) = Model::new(solution, unit) else {
         picture::empty_ui(
             ui,
-            TITLE,
+            Card::Bars.title(),
             "The distances of both methods side by side, as soon as one of them is known.",
         );
         return;
@@ -42,7 +41,7 @@ pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
             }
         })
         .response;
-    picture::describe(ui, &response, TITLE, &description(solution, unit));
+    picture::describe(ui, &response, Card::Bars.title(), &description(solution, unit));
 }
 
 /// The bars, and the round number at the top of the axis.

@@ -1,5 +1,6 @@
 //! The curve of distance against disparity for the current camera, with the current point on it, which can be dragged.
 
+use super::card::Card;
 use crate::app::command::Command;
 use crate::app::theme;
 use crate::app::widgets::{picture, plot};
@@ -9,8 +10,6 @@ use depth_text::{number, report};
 use egui::accesskit::{Action, ActionData, Role};
 use egui::{Align2, CursorIcon, Id, Key, Rect, Response, Sense, Stroke, Ui, pos2, vec2};
 use egui_plot::{Line, PlotPoint, PlotPoints, PlotResponse};
-
-pub const TITLE: &str = "Distance against disparity";
 
 /// State between frames: while the point is dragged, the axes do not change.
 #[derive(Debug, Default)]
@@ -83,7 +82,7 @@ impl Curve {
             self.held = None;
             picture::empty_ui(
                 ui,
-                TITLE,
+                Card::Curve.title(),
                 "How fast the distance grows as the disparity shrinks, once focal length and baseline are known.",
             );
             return;
@@ -92,7 +91,7 @@ impl Curve {
         let point = disparity
             .zip(solution.stereo.distance())
             .map(|(disparity, distance)| Point::new(disparity, distance, unit));
-        picture::describe(ui, &drawn.plot.response, TITLE, &description(point.as_ref()));
+        picture::describe(ui, &drawn.plot.response, Card::Curve.title(), &description(point.as_ref()));
         if let Some(point) = point {
             self.point_ui(ui, &drawn, &point, commands);
         }

@@ -25,7 +25,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
             ui.spacing_mut().item_spacing.y = theme::STEP;
             unknown::ui(ui, cx);
             fields_ui(ui, cx, marked);
-            scope_ui(ui, "buttons", |ui| {
+            part_ui(ui, Part::Buttons, |ui| {
                 buttons_ui(ui, cx);
                 ui.add_space(theme::STEP);
                 examples_ui(ui, cx);
@@ -37,7 +37,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
 
 fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
     for section in Section::ALL {
-        scope_ui(ui, section.name(), |ui| {
+        part_ui(ui, Part::Section(section), |ui| {
             text::card_heading_ui(ui, section.name());
             let mut space = 2.0;
             for key in section.keys() {
@@ -46,7 +46,7 @@ fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
                     continue;
                 }
                 ui.add_space(space);
-                scope_ui(ui, key.as_str(), |ui| field_ui(ui, cx, key, marked));
+                part_ui(ui, Part::Field(key.as_str()), |ui| field_ui(ui, cx, key, marked));
                 space = 2.0 * theme::STEP;
             }
         });
@@ -100,10 +100,19 @@ fn typical_errors_ui(ui: &mut Ui, sigma: &mut String, commands: &mut Vec<Command
         .accessible_name("Typical matching errors");
 }
 
+/// A part of the form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Part {
+    Section(Section),
+    /// A field, by its key.
+    Field(&'static str),
+    Buttons,
+}
+
 /// Draws a part of the form in a scope with an id of its own. Otherwise an error that appears would change the ids of all widgets
 /// after it, and with them the nodes that a screen reader knows.
-fn scope_ui(ui: &mut Ui, name: impl std::hash::Hash + std::fmt::Debug, add_contents: impl FnOnce(&mut Ui)) {
-    let builder = UiBuilder::new().scope_id(egui::Id::unique(("part of the form", name)));
+fn part_ui(ui: &mut Ui, part: Part, add_contents: impl FnOnce(&mut Ui)) {
+    let builder = UiBuilder::new().scope_id(egui::Id::unique(("part of the form", part)));
     ui.scope_builder(builder, add_contents);
 }
 

@@ -1,6 +1,7 @@
 //! What else the distance gives: the point in space and the range that a tape measures, a tilted target, and the ground
 //! plane as a third method.
 
+use super::card::Card;
 use crate::app::context::AppContext;
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
@@ -14,83 +15,79 @@ use egui::Ui;
 /// Draws the three cards.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry) {
     let (columns, gap) = (cx.layout.columns(), cx.layout.gap());
-    let cards: [Card; 3] = [range_ui, tilt_ui, ground_ui];
-    for (number, row) in cards.chunks(columns).enumerate() {
-        let id = egui::Id::unique(("geometry", columns, number));
-        cards::row_ui(ui, row, gap, |ui, card| card(ui, cx, geometry, id));
+    for row in [Card::Range, Card::Tilt, Card::Ground].chunks(columns) {
+        cards::row_ui(ui, row, gap, |ui, card, row| {
+            cards::card_ui(ui, card, card.title(), |ui| {
+                match card {
+                    Card::Range => range_ui(ui, cx, geometry),
+                    Card::Tilt => tilt_ui(ui, cx, geometry),
+                    _ => ground_ui(ui, cx, geometry),
+                }
+                cards::fill_height_ui(ui, row);
+            });
+        });
     }
 }
 
-type Card = fn(&mut Ui, &mut AppContext<'_>, &Geometry, egui::Id);
-
-fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui::Id) {
-    cards::card_ui(ui, "Depth or range", |ui| {
-        fields_ui(ui, cx, geometry, &Geometry::POINT, "range");
-        if let Some(point) = geometry.point {
-            let length = |length: Length| report::length(Some(length), cx.unit());
-            super::table::pairs_ui(
-                ui,
-                "Point and range",
-                &[
-                    ("X, to the right", length(point.x)),
-                    ("Y, down", length(point.y)),
-                    ("Z, depth along the axis", length(point.z)),
-                    ("R, range from the lens", length(point.range)),
-                ],
-            );
-        }
-        text::caption_ui(
+fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry) {
+    fields_ui(ui, cx, geometry, &Geometry::POINT, Card::Range);
+    if let Some(point) = geometry.point {
+        let length = |length: Length| report::length(Some(length), cx.unit());
+        super::table::pairs_ui(
             ui,
-            "The distance of this program is the depth Z along the optical axis. A tape held at the lens measures the range R, which is longer away from the middle of the image.",
+            "Point and range",
+            &[
+                ("X, to the right", length(point.x)),
+                ("Y, down", length(point.y)),
+                ("Z, depth along the axis", length(point.z)),
+                ("R, range from the lens", length(point.range)),
+            ],
         );
-        cards::fill_height_ui(ui, row);
-    });
+    }
+    text::caption_ui(
+        ui,
+        "The distance of this program is the depth Z along the optical axis. A tape held at the lens measures the range R, which is longer away from the middle of the image.",
+    );
 }
 
-fn tilt_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui::Id) {
-    cards::card_ui(ui, "Tilted target", |ui| {
-        fields_ui(ui, cx, geometry, &Geometry::TILTED, "tilt");
-        if let Some((target, solved)) = geometry.tilted {
-            let share = number::significant(solved.excess * 100.0, 2);
-            super::table::pairs_ui(
-                ui,
-                "Tilted target",
-                &[
-                    ("Monocular distance as computed", report::length(Some(target.apparent), cx.unit())),
-                    ("Corrected for the tilt", report::length(Some(solved.depth), cx.unit())),
-                    ("Too long without it by", format!("{share} %")),
-                ],
-            );
-        }
-        text::caption_ui(
+fn tilt_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry) {
+    fields_ui(ui, cx, geometry, &Geometry::TILTED, Card::Tilt);
+    if let Some((target, solved)) = geometry.tilted {
+        let share = number::significant(solved.excess * 100.0, 2);
+        super::table::pairs_ui(
             ui,
-            "A target turned away by an angle looks narrower by its cosine, so the monocular method puts it too far away. The distance is that to the plane of the target’s middle, along the optical axis.",
+            Card::Tilt.title(),
+            &[
+                ("Monocular distance as computed", report::length(Some(target.apparent), cx.unit())),
+                ("Corrected for the tilt", report::length(Some(solved.depth), cx.unit())),
+                ("Too long without it by", format!("{share} %")),
+            ],
         );
-        cards::fill_height_ui(ui, row);
-    });
+    }
+    text::caption_ui(
+        ui,
+        "A target turned away by an angle looks narrower by its cosine, so the monocular method puts it too far away. The distance is that to the plane of the target’s middle, along the optical axis.",
+    );
 }
 
-fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui::Id) {
-    cards::card_ui(ui, "Ground plane, a third method", |ui| {
-        fields_ui(ui, cx, geometry, &Geometry::GROUND, "ground");
-        if let Some(distance) = geometry.floor {
-            let words = if distance.sigma.m() > 0.0 {
-                report::with_sigma(distance.value, distance.sigma, cx.unit()).text(cx.unit())
-            } else {
-                report::length(Some(distance.value), cx.unit())
-            };
-            super::table::pairs_ui(ui, "Ground plane", &[("Distance along the floor", words)]);
-        }
-        text::caption_ui(
-            ui,
-            "D = h / tan(θ + atan((v − cy) / fy)): where the ray of an image row meets a level floor. fy is taken to be fx. Needs neither a second camera nor a known size.",
-        );
-        cards::fill_height_ui(ui, row);
-    });
+fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry) {
+    fields_ui(ui, cx, geometry, &Geometry::GROUND, Card::Ground);
+    if let Some(distance) = geometry.floor {
+        let words = if distance.sigma.m() > 0.0 {
+            report::with_sigma(distance.value, distance.sigma, cx.unit()).text(cx.unit())
+        } else {
+            report::length(Some(distance.value), cx.unit())
+        };
+        super::table::pairs_ui(ui, "Ground plane", &[("Distance along the floor", words)]);
+    }
+    text::caption_ui(
+        ui,
+        "D = h / tan(θ + atan((v − cy) / fy)): where the ray of an image row meets a level floor. fy is taken to be fx. Needs neither a second camera nor a known size.",
+    );
 }
 
 /// The fields of a card. `card` tells apart a field that is on two of them.
-fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, keys: &[Key], card: &str) {
+fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, keys: &[Key], card: Card) {
     for &key in keys {
         let field = Field {
             key,

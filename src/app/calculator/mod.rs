@@ -1,6 +1,7 @@
 //! The calculator: the form, and everything that follows from it.
 
 mod bars;
+mod card;
 mod curve;
 mod form;
 mod geometry;
@@ -15,14 +16,16 @@ use super::command::Helper;
 use super::context::AppContext;
 use super::session::Session;
 use super::theme::{self, Layout};
-use super::widgets::{cards, field, scroll, text};
+use super::widgets::cards::{self, Row};
+use super::widgets::{field, scroll, text};
 use crate::core::quantity::LengthUnit;
+use card::Card;
 use depth_text::assess::Assessment;
 use depth_text::geometry::Geometry;
 use depth_text::note::Severity;
 use depth_text::report;
 use depth_text::sentences::Statement;
-use egui::{Align, Id, Pos2, Rect, RichText, Ui, UiBuilder};
+use egui::{Align, Pos2, Rect, RichText, Ui, UiBuilder};
 
 /// State of the screen between frames, beside the inputs.
 #[derive(Debug, Default)]
@@ -150,53 +153,32 @@ impl Calculator {
             Layout::Wide => &[Card::Bars, Card::Curve, Card::TopView],
             _ => &[Card::Bars, Card::Curve, Card::Intermediate, Card::TopView],
         };
-        for (number, row) in pictures.chunks(columns).enumerate() {
-            let id = Id::unique(("row of cards", columns, number));
-            cards::row_ui(ui, row, gap, |ui, &card| self.card_ui(ui, cx, card, id));
+        for row in pictures.chunks(columns) {
+            cards::row_ui(ui, row, gap, |ui, card, row| self.card_ui(ui, cx, card, row));
         }
         if cx.layout == Layout::Wide {
-            let id = Id::unique("intermediate and table");
-            cards::row_ui(ui, &[Some(Card::Intermediate), None], gap, |ui, card| match card {
-                Some(card) => self.card_ui(ui, cx, *card, id),
-                None => table::ui(ui, &cx.session.assessment().solution),
+            cards::row_ui(ui, &[Card::Intermediate, Card::Table], gap, |ui, card, row| match card {
+                Card::Table => table::ui(ui, &cx.session.assessment().solution),
+                card => self.card_ui(ui, cx, card, row),
             });
         } else {
             table::ui(ui, &cx.session.assessment().solution);
         }
     }
 
-    fn card_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>, card: Card, row: Id) {
+    fn card_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>, card: Card, row: Row) {
         let unit = cx.unit();
         let assessment = cx.session.assessment();
         let solution = &assessment.solution;
-        cards::card_ui(ui, card.title(), |ui| {
+        cards::card_ui(ui, card, card.title(), |ui| {
             match card {
                 Card::Bars => bars::ui(ui, solution, unit),
                 Card::Curve => self.curve.ui(ui, solution, unit, cx.commands),
                 Card::TopView => top_view::ui(ui, solution, unit),
-                Card::Intermediate => intermediate_ui(ui, assessment),
+                _ => intermediate_ui(ui, assessment),
             }
             cards::fill_height_ui(ui, row);
         });
-    }
-}
-
-#[derive(Clone, Copy)]
-enum Card {
-    Bars,
-    Curve,
-    Intermediate,
-    TopView,
-}
-
-impl Card {
-    const fn title(self) -> &'static str {
-        match self {
-            Self::Bars => bars::TITLE,
-            Self::Curve => curve::TITLE,
-            Self::Intermediate => "Intermediate values",
-            Self::TopView => top_view::TITLE,
-        }
     }
 }
 
@@ -209,7 +191,7 @@ fn intermediate_ui(ui: &mut Ui, assessment: &Assessment) {
     );
     table::pairs_ui(
         ui,
-        "Intermediate values",
+        Card::Intermediate.title(),
         &[
             (report::ESTIMATED_WIDTH_PX, format!("{width_px} px")),
             (report::ESTIMATED_WIDTH_M, meters(solution.estimated_width)),

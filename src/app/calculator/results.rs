@@ -1,5 +1,6 @@
 //! The result cards: the distance by each method whose inputs are complete, and both combined.
 
+use super::card::Card;
 use crate::app::command::Command;
 use crate::app::context::AppContext;
 use crate::app::theme;
@@ -13,7 +14,7 @@ use depth_text::field::Key;
 use depth_text::report;
 use depth_text::sentences::Statement;
 use egui::accesskit::Role;
-use egui::{Id, RichText, Ui, UiBuilder};
+use egui::{RichText, Ui, UiBuilder};
 
 /// The results in one line: pairs of a method's name and its distance, or "–.– m" alone.
 pub fn headline(solution: &Solution, unit: LengthUnit) -> Vec<(Option<&'static str>, String)> {
@@ -40,28 +41,28 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     if let Some(unknown) = &assessment.unknown {
         let inputs = &cx.session.inputs;
         let unit = inputs.unknown.and_then(|(_, field)| assessment.length_unit(field, inputs));
-        card_ui(ui, Key::from(unknown.field).name, |ui| solved_ui(ui, unknown, unit));
+        card_ui(ui, Card::Solved(unknown.field), |ui| solved_ui(ui, unknown, unit));
     }
-    let mut shown: Vec<Shown<'_>> = Method::ALL
+    let mut shown: Vec<Card> = Method::ALL
         .into_iter()
         .filter(|&method| solution.outcome(method).distance().is_some())
-        .map(Shown::Method)
+        .map(Card::Distance)
         .collect();
     if shown.is_empty() {
-        card_ui(ui, "Result", |ui| empty_ui(ui, unit));
+        card_ui(ui, Card::NoResult, |ui| empty_ui(ui, unit));
         return;
     }
-    shown.extend(solution.comparison.as_ref().map(Shown::Comparison));
+    shown.extend(solution.comparison.as_ref().map(|_| Card::Combined));
     let columns = if layout.columns() == 1 { 1 } else { shown.len() };
-    for (number, row) in shown.chunks(columns).enumerate() {
-        let id = Id::unique(("results", columns, number));
-        cards::row_ui(ui, row, layout.gap(), |ui, &shown| {
-            card_ui(ui, shown.name(), |ui| {
-                match shown {
-                    Shown::Method(method) => result_ui(ui, solution, method, unit),
-                    Shown::Comparison(comparison) => combined_ui(ui, comparison, &assessment.suspects(), unit),
+    for row in shown.chunks(columns) {
+        cards::row_ui(ui, row, layout.gap(), |ui, card, row| {
+            card_ui(ui, card, |ui| {
+                match (card, &solution.comparison) {
+                    (Card::Distance(method), _) => result_ui(ui, solution, method, unit),
+                    (Card::Combined, Some(comparison)) => combined_ui(ui, comparison, &assessment.suspects(), unit),
+                    _ => {}
                 }
-                cards::fill_height_ui(ui, id);
+                cards::fill_height_ui(ui, row);
             });
         });
     }
@@ -82,22 +83,6 @@ fn heading_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
             text::caption_ui(ui, "in");
         });
     });
-}
-
-/// A card of the highlighted result.
-#[derive(Clone, Copy)]
-enum Shown<'a> {
-    Method(Method),
-    Comparison(&'a Comparison),
-}
-
-impl Shown<'_> {
-    const fn name(self) -> &'static str {
-        match self {
-            Self::Method(method) => method.name(),
-            Self::Comparison(_) => "Combined",
-        }
-    }
 }
 
 /// The weighted mean of both distances, and whether they agree.
@@ -157,8 +142,12 @@ fn solved_ui(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
     ui.accesskit_node_builder(response.id, |node| node.set_description(Key::from(unknown.field).name));
 }
 
-fn card_ui(ui: &mut Ui, name: &str, add_contents: impl FnOnce(&mut Ui)) {
-    let builder = UiBuilder::new().accessibility_role(Role::Region).accessibility_label(name);
+/// A card without a heading, as a region that assistive technology can jump to.
+fn card_ui(ui: &mut Ui, card: Card, add_contents: impl FnOnce(&mut Ui)) {
+    let builder = UiBuilder::new()
+        .id_salt(card)
+        .accessibility_role(Role::Region)
+        .accessibility_label(card.title());
     ui.scope_builder(builder, |ui| {
         theme::card(theme::palette(ui)).show(ui, |ui| {
             ui.set_width(ui.available_width());

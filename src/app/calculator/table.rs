@@ -1,5 +1,6 @@
 //! The nine rows of inputs and outputs, and pairs of a name and a value.
 
+use super::card::Card;
 use crate::app::theme;
 use crate::app::widgets::cards;
 use crate::app::widgets::table::{Cell, row_ui, table_ui};
@@ -11,13 +12,12 @@ use egui::{FontId, Ui};
 
 /// The table "Key input parameters and outputs".
 pub fn ui(ui: &mut Ui, solution: &Solution) {
-    const TITLE: &str = "Key input parameters and outputs";
-    cards::card_ui(ui, TITLE, |ui| {
+    cards::card_ui(ui, Card::Table, Card::Table.title(), |ui| {
         let narrow = ui.available_width() < 480.0;
         let shares = if narrow { [1.2, 0.8, 0.7, 1.3] } else { [1.25, 0.55, 0.5, 1.7] };
         let size = if narrow { theme::SMALL_SIZE } else { theme::BODY_SIZE };
         let palette = theme::palette(ui);
-        table_ui(ui, TITLE, |ui| {
+        table_ui(ui, Card::Table.title(), |ui| {
             let header = |text, align_right| Cell {
                 text: LayoutJob::simple_singleline(String::from(text), theme::strong(theme::SMALL_SIZE), palette.muted),
                 role: Role::ColumnHeader,

@@ -1,5 +1,6 @@
 //! The scene from above, to scale: cameras, lines of sight, object. Three parts: a pure model, a pure layout, and painting.
 
+use super::card::Card;
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::picture;
 use crate::app::widgets::plot::round_down;
@@ -7,8 +8,6 @@ use crate::core::problem::{Method, Solution};
 use crate::core::quantity::{Length, LengthUnit};
 use depth_text::{number, report};
 use egui::{Align2, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, pos2, vec2};
-
-pub const TITLE: &str = "Top view, to scale";
 
 /// Cameras that would be drawn closer together than this, in points, are enlarged in an inset.
 const CLOSE: f32 = 24.0;
@@ -19,7 +18,7 @@ pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
     let Some(model) = Model::new(solution) else {
         picture::empty_ui(
             ui,
-            TITLE,
+            Card::TopView.title(),
             "The cameras, their lines of sight and the object from above, as soon as a distance is known.",
         );
         return;
@@ -27,7 +26,7 @@ pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::PICTURE_HEIGHT), Sense::hover());
     let scene = Scene::new(&model, rect.shrink(4.0));
     paint(&ui.painter().with_clip_rect(rect), palette, &model, &scene, unit);
-    picture::describe(ui, &response, TITLE, &model.description(unit));
+    picture::describe(ui, &response, Card::TopView.title(), &model.description(unit));
     super::super::widgets::text::caption_ui(ui, model.remark());
 }
 

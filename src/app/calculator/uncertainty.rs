@@ -1,5 +1,6 @@
 //! The uncertainty cards: the share of each input in the variance, and a Monte Carlo simulation where first order is not good enough.
 
+use super::card::Card;
 use crate::app::context::AppContext;
 use crate::app::theme;
 use crate::app::widgets::{cards, picture, text};
@@ -87,42 +88,20 @@ pub fn ui(ui: &mut Ui, cx: &AppContext<'_>, simulations: &Simulations) {
         .into_iter()
         .filter(|&method| solution.uncertainty(method).is_some())
         .collect();
-    for (number, row) in methods.chunks(columns.min(2)).enumerate() {
-        let id = egui::Id::unique(("budgets", columns, number));
-        cards::row_ui(ui, row, gap, |ui, &method| {
-            cards::card_ui(ui, budget_title(method), |ui| {
-                budget_ui(ui, solution, method, unit);
-                cards::fill_height_ui(ui, id);
+    let simulated = |method: &Method| !matches!(simulations.of(*method), Simulation::None);
+    let budgets = methods.iter().copied().map(Card::Budget).collect::<Vec<_>>();
+    let histograms = methods.iter().copied().filter(simulated).map(Card::Simulation).collect::<Vec<_>>();
+    for row in [budgets, histograms].iter().flat_map(|cards| cards.chunks(columns.min(2))) {
+        cards::row_ui(ui, row, gap, |ui, card, row| {
+            cards::card_ui(ui, card, card.title(), |ui| {
+                match card {
+                    Card::Budget(method) => budget_ui(ui, solution, method, unit),
+                    Card::Simulation(method) => simulation_ui(ui, method, simulations.of(method), unit),
+                    _ => {}
+                }
+                cards::fill_height_ui(ui, row);
             });
         });
-    }
-    let simulated: Vec<(Method, &Simulation)> = methods
-        .into_iter()
-        .map(|method| (method, simulations.of(method)))
-        .filter(|(_, simulation)| !matches!(simulation, Simulation::None))
-        .collect();
-    for (number, row) in simulated.chunks(columns.min(2)).enumerate() {
-        let id = egui::Id::unique(("simulations", columns, number));
-        cards::row_ui(ui, row, gap, |ui, (method, simulation)| {
-            cards::card_ui(ui, simulation_title(*method), |ui| {
-                simulation_ui(ui, *method, simulation, unit);
-                cards::fill_height_ui(ui, id);
-            });
-        });
-    }
-}
-
-const fn budget_title(method: Method) -> &'static str {
-    match method {
-        Method::Stereo => "What makes stereo uncertain",
-        Method::Monocular => "What makes monocular uncertain",
-    }
-}
-
-const fn simulation_title(method: Method) -> &'static str {
-    match method {
-        Method::Stereo => "Stereo, simulated",
-        Method::Monocular => "Monocular, simulated",
     }
 }
 
@@ -155,7 +134,7 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
     picture::describe(
         ui,
         &response,
-        budget_title(method),
+        Card::Budget(method).title(),
         &format!("Shares of the variance: {}.", report::budget(uncertainty)),
     );
     ui.add_space(theme::STEP);
@@ -199,7 +178,7 @@ fn simulation_ui(ui: &mut Ui, method: Method, simulation: &Simulation, unit: Len
     };
     super::table::pairs_ui(
         ui,
-        simulation_title(method),
+        Card::Simulation(method).title(),
         &[
             ("Median", end(distribution.median)),
             ("Middle 68 %", interval(distribution.interval_68)),
@@ -254,7 +233,7 @@ fn histogram_ui(ui: &mut Ui, method: Method, distribution: &Distribution, unit: 
     picture::describe(
         ui,
         &response,
-        simulation_title(method),
+        Card::Simulation(method).title(),
         &format!(
             "Histogram of {} simulated distances from {} to {}, {} of the draws beyond.",
             distribution.drawn,
