@@ -3,7 +3,7 @@
 
 use super::dialog::Dialog;
 use super::saved::Screen;
-use super::sentences::Sentence;
+use super::sentences::NoticeText;
 use crate::core::problem::Field;
 use crate::core::quantity::{LengthUnit, Pixels};
 use depth_text::entry::Entry;
@@ -45,7 +45,7 @@ pub enum Command {
     /// Put the results on the clipboard.
     CopyResults,
     /// Replace what was typed, show the calculator, and say this.
-    Open(Box<Inputs>, Sentence),
+    Open(Box<Inputs>, NoticeText),
     /// Fill in what the part of a link behind `#` names, and nothing else.
     Follow(String),
     /// Replace what was typed into a field by what a note offered.

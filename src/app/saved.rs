@@ -1,5 +1,6 @@
 //! The state that survives a reload and a restart, and its text form.
 
+use super::sentences::PlatformError;
 use crate::core::quantity::LengthUnit;
 use depth_text::entry::Entries;
 use depth_text::form::Inputs;
@@ -143,7 +144,7 @@ impl Saved {
     ///
     /// # Errors
     /// The error of the serializer, in the unlikely case that there is one.
-    pub fn to_text(&self) -> Result<String, String> {
+    pub fn to_text(&self) -> Result<String, PlatformError> {
         serde_json::to_string(&Stored {
             version: VERSION,
             inputs: self.inputs.clone(),
@@ -158,7 +159,7 @@ impl Saved {
             entries: self.settings.entries.clone(),
             ways: self.settings.ways.clone(),
         })
-        .map_err(|error| error.to_string())
+        .map_err(|error| PlatformError::NotSerialized { reason: error.to_string() })
     }
 
     /// What was stored as `text`; `None` where it is corrupt or of another version.

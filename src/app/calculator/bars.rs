@@ -1,6 +1,7 @@
 //! The chart of stereo distance against monocular distance.
 
 use super::card::Card;
+use crate::app::sentences::{Description, Hint};
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::{picture, plot};
 use crate::core::problem::{Method, Solution};
@@ -13,11 +14,7 @@ use egui_plot::{Bar, BarChart, GridMark, Line, PlotPoint, PlotPoints, PlotUi, Te
 /// Draws the chart.
 pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
     let Some(model) = Model::new(solution, unit) else {
-        picture::empty_ui(
-            ui,
-            Card::Bars.title(),
-            "The distances of both methods side by side, as soon as one of them is known.",
-        );
+        picture::empty_ui(ui, Card::Bars.title(), &Hint::NoBars);
         return;
     };
     let top = model.top;
@@ -41,7 +38,7 @@ pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
             }
         })
         .response;
-    picture::describe(ui, &response, Card::Bars.title(), &description(solution, unit));
+    picture::describe(ui, &response, Card::Bars.title(), &Description::Bars { solution, unit });
 }
 
 /// The bars, and the round number at the top of the axis.
@@ -120,23 +117,4 @@ impl MethodBar {
                 .allow_hover(false),
         );
     }
-}
-
-fn description(solution: &Solution, unit: LengthUnit) -> String {
-    let said: Vec<String> = Method::ALL
-        .into_iter()
-        .map(|method| {
-            let distance = solution.outcome(method).distance();
-            let words = match (distance, solution.uncertainty(method)) {
-                (Some(distance), Some(uncertainty)) => format!(
-                    "{}, from {}",
-                    report::with_sigma(distance, uncertainty.sigma, unit).text(unit),
-                    report::interval(uncertainty, unit)
-                ),
-                _ => report::length(distance, unit),
-            };
-            format!("{} distance {words}", method.name())
-        })
-        .collect();
-    format!("Bar chart. {}.", said.join(", "))
 }

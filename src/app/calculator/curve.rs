@@ -2,6 +2,7 @@
 
 use super::card::Card;
 use crate::app::command::Command;
+use crate::app::sentences::{Description, Hint};
 use crate::app::theme;
 use crate::app::widgets::{picture, plot};
 use crate::core::problem::{Field, Problem, Solution};
@@ -80,20 +81,14 @@ impl Curve {
         let held = self.held.filter(|_| is_pair);
         let Some(model) = held.or_else(|| Model::new(problem, disparity)) else {
             self.held = None;
-            picture::empty_ui(
-                ui,
-                Card::Curve.title(),
-                "How fast the distance grows as the disparity shrinks, once focal length and baseline are known.",
-            );
+            picture::empty_ui(ui, Card::Curve.title(), &Hint::NoCurve);
             return;
         };
         let drawn = plot_ui(ui, model, unit);
-        let point = disparity
-            .zip(solution.stereo.distance())
-            .map(|(disparity, distance)| Point::new(disparity, distance, unit));
-        picture::describe(ui, &drawn.plot.response, Card::Curve.title(), &description(point.as_ref()));
-        if let Some(point) = point {
-            self.point_ui(ui, &drawn, &point, commands);
+        let point = disparity.zip(solution.stereo.distance());
+        picture::describe(ui, &drawn.plot.response, Card::Curve.title(), &Description::Curve { point, unit });
+        if let Some((disparity, distance)) = point {
+            self.point_ui(ui, &drawn, &Point::new(disparity, distance, unit), commands);
         }
     }
 
@@ -167,18 +162,6 @@ impl Point {
             node.add_action(Action::Increment);
             node.add_action(Action::Decrement);
         });
-    }
-}
-
-fn description(point: Option<&Point>) -> String {
-    const CURVE: &str = "Curve of distance against disparity, falling as one over the disparity.";
-    match point {
-        Some(point) => format!(
-            "{CURVE} At {} px the distance is {}.",
-            number::plain(point.disparity_px),
-            point.distance
-        ),
-        None => format!("{CURVE} Enter a disparity to see its point."),
     }
 }
 

@@ -4,7 +4,7 @@ use super::unknown;
 use crate::app::command::{Command, Helper};
 use crate::app::context::AppContext;
 use crate::app::platform::COPY_RESULTS;
-use crate::app::sentences::Sentence;
+use crate::app::sentences::NoticeText;
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::text;
@@ -151,7 +151,7 @@ fn examples_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
         for example in Example::ALL {
             if text::link_button_ui(ui, example.name(), cx.layout).clicked() {
                 cx.commands
-                    .push(Command::Open(Box::new(example.inputs()), Sentence::FilledByExample));
+                    .push(Command::Open(Box::new(example.inputs()), NoticeText::FilledByExample));
             }
         }
     });

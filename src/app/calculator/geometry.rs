@@ -3,6 +3,7 @@
 
 use super::card::Card;
 use crate::app::context::AppContext;
+use crate::app::sentences::Hint;
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::{cards, text};
@@ -44,10 +45,7 @@ fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry) {
             ],
         );
     }
-    text::caption_ui(
-        ui,
-        "The distance of this program is the depth Z along the optical axis. A tape held at the lens measures the range R, which is longer away from the middle of the image.",
-    );
+    text::caption_ui(ui, Hint::DepthOrRange.to_string());
 }
 
 fn tilt_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry) {
@@ -64,10 +62,7 @@ fn tilt_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry) {
             ],
         );
     }
-    text::caption_ui(
-        ui,
-        "A target turned away by an angle looks narrower by its cosine, so the monocular method puts it too far away. The distance is that to the plane of the target’s middle, along the optical axis.",
-    );
+    text::caption_ui(ui, Hint::TiltedTarget.to_string());
 }
 
 fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry) {
@@ -80,10 +75,7 @@ fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry) {
         };
         super::table::pairs_ui(ui, "Ground plane", &[("Distance along the floor", words)]);
     }
-    text::caption_ui(
-        ui,
-        "D = h / tan(θ + atan((v − cy) / fy)): where the ray of an image row meets a level floor. fy is taken to be fx. Needs neither a second camera nor a known size.",
-    );
+    text::caption_ui(ui, Hint::GroundPlane.to_string());
 }
 
 /// The fields of a card. `card` tells apart a field that is on two of them.

@@ -3,6 +3,7 @@
 use super::card::Card;
 use crate::app::command::Command;
 use crate::app::context::AppContext;
+use crate::app::sentences::Hint;
 use crate::app::theme;
 use crate::app::widgets::unit_choice::length_unit_choice_ui;
 use crate::app::widgets::{cards, text};
@@ -104,7 +105,7 @@ fn combined_ui(ui: &mut Ui, comparison: &Comparison, suspects: &[Suspect], unit:
                 &format!("{} ± {}", unit.symbol(), words.sigma),
                 "Combined distance",
             );
-            text::caption_ui(ui, "Combined estimate; the shared focal length is accounted for");
+            text::caption_ui(ui, Hint::Combined.to_string());
         }
         None => {
             number_ui(ui, depth_text::number::NO_NUMBER, unit.symbol(), "Combined distance");
@@ -192,7 +193,7 @@ fn result_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
     if method == Method::Stereo
         && let Some(range) = report::one_pixel_around(solution, unit)
     {
-        text::caption_ui(ui, format!("{range} with one pixel of disparity more or less"));
+        text::caption_ui(ui, Hint::OnePixel { range }.to_string());
     }
     text::caption_ui(ui, report::formula(solution, method));
     if let Some(formula) = report::formula_with_numbers(solution, method) {
@@ -203,10 +204,6 @@ fn result_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
 fn empty_ui(ui: &mut Ui, unit: LengthUnit) {
     number_ui(ui, depth_text::number::NO_NUMBER, unit.symbol(), "Distance");
     for method in Method::ALL {
-        let [first, second, third] = method.fields().map(|field| Key::from(field).symbol);
-        text::caption_ui(
-            ui,
-            format!("{}: {} needs {first}, {second} and {third}.", method.name(), method.formula()),
-        );
+        text::caption_ui(ui, Hint::MethodNeeds { method }.to_string());
     }
 }

@@ -1,9 +1,10 @@
 //! The scene from above, to scale: cameras, lines of sight, object. Three parts: a pure model, a pure layout, and painting.
 
 use super::card::Card;
+use crate::app::sentences::{Description, Hint};
 use crate::app::theme::{self, Palette};
-use crate::app::widgets::picture;
 use crate::app::widgets::plot::round_down;
+use crate::app::widgets::{picture, text};
 use crate::core::problem::{Method, Solution};
 use crate::core::quantity::{Length, LengthUnit};
 use depth_text::{number, report};
@@ -16,18 +17,14 @@ const CLOSE: f32 = 24.0;
 pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
     let palette = theme::palette(ui);
     let Some(model) = Model::new(solution) else {
-        picture::empty_ui(
-            ui,
-            Card::TopView.title(),
-            "The cameras, their lines of sight and the object from above, as soon as a distance is known.",
-        );
+        picture::empty_ui(ui, Card::TopView.title(), &Hint::NoTopView);
         return;
     };
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::PICTURE_HEIGHT), Sense::hover());
     let scene = Scene::new(&model, rect.shrink(4.0));
     paint(&ui.painter().with_clip_rect(rect), palette, &model, &scene, unit);
     picture::describe(ui, &response, Card::TopView.title(), &model.description(unit));
-    super::super::widgets::text::caption_ui(ui, model.remark());
+    text::caption_ui(ui, model.remark().to_string());
 }
 
 /// The scene in meters: x to the right, z away from the cameras, the middle of the cameras at the origin.
@@ -77,29 +74,21 @@ impl Model {
             .then_some(model)
     }
 
-    const fn remark(&self) -> &'static str {
+    const fn remark(&self) -> Hint {
         match self.baseline_m {
-            Some(_) => "The object is drawn midway between the cameras; where it stands sideways needs more than a disparity.",
-            None => "The object is drawn straight ahead of the camera, facing it.",
+            Some(_) => Hint::ObjectMidway,
+            None => Hint::ObjectAhead,
         }
     }
 
-    fn description(&self, unit: LengthUnit) -> String {
-        let length = |meters| report::length(Some(Length::from_m(meters)), unit);
-        let cameras = self.baseline_m.map_or_else(
-            || "One camera".to_owned(),
-            |baseline| format!("Two cameras {} apart", length(baseline)),
-        );
-        let width = self.width_m.map_or_else(String::new, |width| format!(", {} wide", length(width)));
-        let between = self.interval_m.map_or_else(String::new, |(near, far)| match far {
-            Some(far) => format!(", between {} and {}", length(near), length(far)),
-            None => format!(", {} or more", length(near)),
-        });
-        format!(
-            "{cameras}; the object {} away{between}{width}. {}",
-            length(self.depth_m),
-            self.remark()
-        )
+    fn description(&self, unit: LengthUnit) -> Description<'static> {
+        Description::TopView {
+            baseline: self.baseline_m.map(Length::from_m),
+            distance: Length::from_m(self.depth_m),
+            interval: self.interval_m.map(|(near, far)| (Length::from_m(near), far.map(Length::from_m))),
+            width: self.width_m.map(Length::from_m),
+            unit,
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::card::Card;
 use crate::app::context::AppContext;
+use crate::app::sentences::{Description, Hint};
 use crate::app::theme;
 use crate::app::widgets::{cards, picture, text};
 use crate::core::monte_carlo::{Distribution, MonteCarlo, Quantiles};
@@ -131,12 +132,7 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
         ui.painter()
             .vline(x, rect.y_range(), egui::Stroke::new(theme::STRONG_LINE, palette.surface));
     }
-    picture::describe(
-        ui,
-        &response,
-        Card::Budget(method).title(),
-        &format!("Shares of the variance: {}.", report::budget(uncertainty)),
-    );
+    picture::describe(ui, &response, Card::Budget(method).title(), &Description::Budget { uncertainty });
     ui.add_space(theme::STEP);
     for share in uncertainty.budget.iter().filter(|share| share.share > 0.0) {
         let line = vec2(ui.available_width(), 20.0);
@@ -149,11 +145,7 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
     if let Some(bias) = uncertainty.bias
         && bias.m() > uncertainty.sigma.m() / 100.0
     {
-        let bias = report::length(Some(bias), unit);
-        text::caption_ui(
-            ui,
-            format!("Averaging many such distances comes out {bias} too far: average the pixels, not the distances."),
-        );
+        text::caption_ui(ui, Hint::Bias { bias, unit }.to_string());
     }
     if !uncertainty.model.first_order_is_good() {
         let amber = palette.amber;
@@ -167,7 +159,7 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
 
 fn simulation_ui(ui: &mut Ui, method: Method, simulation: &Simulation, unit: LengthUnit) {
     let Simulation::Done(_, distribution) = simulation else {
-        text::caption_ui(ui, "Drawing 100 000 times…");
+        text::caption_ui(ui, Hint::Simulating.to_string());
         return;
     };
     histogram_ui(ui, method, distribution, unit);
@@ -186,13 +178,8 @@ fn simulation_ui(ui: &mut Ui, method: Method, simulation: &Simulation, unit: Len
             ("Infinitely far", report::percent(distribution.share_infinite)),
         ],
     );
-    text::caption_ui(
-        ui,
-        format!(
-            "{} draws of all inputs, the same ones every time. A draw whose pixels are zero or less counts as infinitely far.",
-            distribution.drawn
-        ),
-    );
+    let draws = distribution.drawn;
+    text::caption_ui(ui, Hint::Simulated { draws }.to_string());
 }
 
 fn histogram_ui(ui: &mut Ui, method: Method, distribution: &Distribution, unit: LengthUnit) {
@@ -234,13 +221,11 @@ fn histogram_ui(ui: &mut Ui, method: Method, distribution: &Distribution, unit: 
         ui,
         &response,
         Card::Simulation(method).title(),
-        &format!(
-            "Histogram of {} simulated distances from {} to {}, {} of the draws beyond.",
-            distribution.drawn,
-            report::length(Some(shape.low), unit),
-            report::length(Some(shape.high), unit),
-            report::percent(f64::from(shape.beyond) / f64::from(distribution.drawn.max(1)))
-        ),
+        &Description::Histogram {
+            histogram: shape,
+            draws: distribution.drawn,
+            unit,
+        },
     );
 }
 

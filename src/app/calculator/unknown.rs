@@ -2,6 +2,7 @@
 
 use crate::app::command::Command;
 use crate::app::context::AppContext;
+use crate::app::sentences::Hint;
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field as FieldWidget};
 use crate::app::widgets::text;
@@ -84,5 +85,5 @@ pub fn solution_ui(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
         rect.shrink2(vec2(10.0, 0.0)),
         egui::Label::new(RichText::new(words).font(theme::strong(theme::BODY_SIZE))),
     );
-    text::caption_ui(ui, "Computed from the distance and the other quantities.");
+    text::caption_ui(ui, Hint::Solved.to_string());
 }

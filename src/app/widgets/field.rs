@@ -3,6 +3,7 @@
 use super::text;
 use super::unit_choice::length_unit_choice_ui;
 use crate::app::command::{Command, Helper, Scope};
+use crate::app::sentences::Hint;
 use crate::app::theme::{self, SIGMA_WIDTH, UNIT_WIDTH};
 use crate::core::quantity::LengthUnit;
 use depth_text::entry::Entry;
@@ -114,7 +115,7 @@ impl Field<'_> {
                 let palette = theme::palette(ui);
                 TextEdit::singleline(&mut self.entry.text)
                     .id(self.id)
-                    .hint_text(RichText::new(format!("e.g. {}", self.key.example())).color(palette.muted))
+                    .hint_text(RichText::new(Hint::Example { key: self.key }.to_string()).color(palette.muted))
                     .align(egui::Align2::RIGHT_CENTER)
                     .margin(egui::Margin::symmetric(10, 4))
                     .desired_width(size.x)
@@ -130,7 +131,7 @@ impl Field<'_> {
             if !self.key.signed {
                 node.set_role(Role::NumberInput);
             }
-            node.set_description(self.description());
+            node.set_description(Hint::Field { key: self.key }.to_string());
             if let Some(reading) = self.reading {
                 node.set_numeric_value(reading.number);
             }
@@ -146,18 +147,6 @@ impl Field<'_> {
             self.entry.tidy(self.key);
             commands.push(Command::Settle);
         }
-    }
-
-    /// What assistive technology says of the field beside its label and value.
-    fn description(&self) -> String {
-        let symbol = self.key.unit_symbol();
-        let unit = if self.key.is_length() || symbol.is_empty() {
-            String::new()
-        } else {
-            format!("In {}. ", text::spoken_unit(symbol))
-        };
-        let gap = if self.key.hint.is_empty() { "" } else { " " };
-        format!("{}{gap}{unit}Arrow up and down step the value.", self.key.hint)
     }
 
     /// The keys that a field takes while it has the focus: arrows step it, Enter calculates.
@@ -248,7 +237,7 @@ impl Field<'_> {
             .response
             .accessible_name(format!("Uncertainty of {}", self.key.name));
         ui.accesskit_node_builder(id, |node| {
-            node.set_description("One standard deviation, in the unit of the value, with a unit of its own, or in percent. Empty: none.");
+            node.set_description(Hint::Sigma.to_string());
         });
         if response.lost_focus() {
             commands.push(Command::Settle);

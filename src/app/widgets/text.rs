@@ -53,18 +53,6 @@ pub fn note_ui(ui: &mut Ui, severity: Severity, sentence: &str, about: Option<Id
     said
 }
 
-/// The word that a screen reader should say for the symbol of a unit.
-pub fn spoken_unit(symbol: &str) -> &str {
-    match symbol {
-        "px" => "pixels",
-        "mm" => "millimeters",
-        "µm" => "micrometers",
-        "m" => "meters",
-        "°" => "degrees",
-        other => other,
-    }
-}
-
 /// A button that looks like a link, for secondary actions.
 pub fn link_button_ui(ui: &mut Ui, name: &str, layout: theme::Layout) -> Response {
     let blue = theme::palette(ui).blue;
