@@ -30,6 +30,8 @@ use notice::Notice;
 pub use platform::{COPY_RESULTS, Event, Licenses, Platform};
 use saved::{Saved, Screen, Settings};
 use sentences::FreshStart;
+#[cfg(test)]
+pub(crate) use sentences::snapshot;
 pub use sentences::{Place, PlatformError};
 use session::Session;
 pub use theme::SystemColors;

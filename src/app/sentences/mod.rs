@@ -16,4 +16,4 @@ pub use notice::{FreshStart, NoticeText};
 pub use platform_error::{Place, PlatformError};
 
 #[cfg(test)]
-mod snapshot;
+pub(crate) mod snapshot;

@@ -15,15 +15,15 @@ macro_rules! every {
         examples.into_iter().map(|(_, example)| example).collect::<Vec<$sentence>>()
     }};
 }
-pub(super) use every;
+pub(crate) use every;
 
 /// Compares the sentences and their facts with the snapshot `name`.
-pub(super) fn assert_shown(name: &str, sentences: &[impl Debug + Display]) {
+pub(crate) fn assert_shown(name: &str, sentences: &[impl Debug + Display]) {
     assert_lines(name, sentences.iter().map(|sentence| format!("{sentence:?}\n    {sentence}")));
 }
 
 /// Compares the sentences with the snapshot `name`, without their facts, where these are long.
-pub(super) fn assert_said(name: &str, sentences: &[impl Display]) {
+pub(crate) fn assert_said(name: &str, sentences: &[impl Display]) {
     assert_lines(name, sentences.iter().map(ToString::to_string));
 }
 

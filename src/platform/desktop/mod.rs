@@ -4,6 +4,7 @@
 mod console;
 mod failure;
 mod placement;
+mod sentences;
 mod state;
 
 use crate::app::{App, Event, Licenses, Place, Platform, PlatformError};
