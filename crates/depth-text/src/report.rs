@@ -155,11 +155,11 @@ pub fn with_sigma(length: Length, sigma: Length, unit: LengthUnit) -> WithSigma 
 }
 
 /// The 1 σ interval, to the decimals of σ: "1.384 … 1.416 m".
-pub fn interval(known: &Uncertainty, unit: LengthUnit) -> String {
-    let decimals = decimals_beside(known.model.depth().in_unit(unit), known.sigma.in_unit(unit));
+pub fn interval(uncertainty: &Uncertainty, unit: LengthUnit) -> String {
+    let decimals = decimals_beside(uncertainty.model.depth().in_unit(unit), uncertainty.sigma.in_unit(unit));
     let end = |length: Length| number::to_decimals(length.in_unit(unit), decimals);
-    let near = end(known.interval.near);
-    match known.interval.far {
+    let near = end(uncertainty.interval.near);
+    match uncertainty.interval.far {
         Some(far) => format!("{near} … {} {}", end(far), unit.symbol()),
         None => format!("{near} {} … no upper bound", unit.symbol()),
     }
@@ -171,8 +171,8 @@ pub fn decimals_beside(value: f64, sigma: f64) -> i32 {
 }
 
 /// Where the variance comes from: "disparity 75 %, baseline 19 %, focal length 6 %", the largest first.
-pub fn budget(known: &Uncertainty) -> String {
-    let mut shares = known.budget.to_vec();
+pub fn budget(uncertainty: &Uncertainty) -> String {
+    let mut shares = uncertainty.budget.to_vec();
     shares.sort_by(|a, b| b.share.total_cmp(&a.share));
     shares
         .iter()
@@ -183,8 +183,8 @@ pub fn budget(known: &Uncertainty) -> String {
 }
 
 /// The input behind most of the variance: "mostly from disparity (75 %)".
-pub fn main_cause(known: &Uncertainty) -> Option<String> {
-    let share = known.main_cause()?;
+pub fn main_cause(uncertainty: &Uncertainty) -> Option<String> {
+    let share = uncertainty.main_cause()?;
     let how = if share.share >= 0.5 { "mostly" } else { "most of it" };
     Some(format!("{how} from {} ({})", short_name(share.source), percent(share.share)))
 }
