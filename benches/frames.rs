@@ -4,7 +4,7 @@
 //! ground plane. Accessibility is switched on, as it is on the web page. Aim: at most 2 ms.
 #![allow(clippy::unwrap_used, missing_docs, reason = "a measurement")]
 
-use depth_calculator::app::{App, Licenses, Platform};
+use depth_calculator::app::{App, Licenses, Place, Platform, PlatformError};
 use depth_calculator::core::problem::Field;
 use depth_text::fields;
 use depth_text::form::{Example, Inputs};
@@ -29,13 +29,13 @@ struct Machine {
 }
 
 impl Platform for Machine {
-    fn load(&self) -> Result<Option<String>, String> {
+    fn load(&self) -> Result<Option<String>, PlatformError> {
         Ok(self.state.clone())
     }
-    fn save(&mut self, _text: &str) -> Result<(), String> {
+    fn save(&mut self, _text: &str) -> Result<(), PlatformError> {
         Ok(())
     }
-    fn set_aside(&mut self) -> Result<Option<String>, String> {
+    fn set_aside(&mut self) -> Result<Option<Place>, PlatformError> {
         Ok(None)
     }
     fn commit(&self) -> Option<String> {

@@ -31,6 +31,7 @@
 //! |---|---|
 //! | a formula | [`core`], with its source and a golden test |
 //! | what is said about an input | [`depth_text::sentences`], and a case in `tests/sentences/` |
+//! | what the application says besides | `app/sentences/`, with an example in the test of its file |
 //! | a field | a row of [`depth_text::fields`]: form, link, report, command line and stored state have it then |
 //! | a button, a menu entry, a key | `app/command.rs` for its text and its keys, `app/logic.rs` for what it does |
 //! | a dialog | `app/dialog.rs`, and a file like `app/about.rs` |

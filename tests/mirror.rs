@@ -1,7 +1,7 @@
 //! The accessible page that the web program builds beside its canvas: all that egui says of each screen is in it.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, missing_docs, reason = "tests")]
 
-use depth_calculator::app::{App, Event, Licenses, Platform};
+use depth_calculator::app::{App, Event, Licenses, Place, Platform, PlatformError};
 use egui::accesskit::{Affine, Node, NodeId, Rect, Toggled, TreeUpdate};
 use egui::{Role, Vec2, vec2};
 use egui_kittest::Harness;
@@ -18,13 +18,13 @@ const SCALE: f32 = 1.5;
 struct Machine;
 
 impl Platform for Machine {
-    fn load(&self) -> Result<Option<String>, String> {
+    fn load(&self) -> Result<Option<String>, PlatformError> {
         Ok(None)
     }
-    fn save(&mut self, _text: &str) -> Result<(), String> {
+    fn save(&mut self, _text: &str) -> Result<(), PlatformError> {
         Ok(())
     }
-    fn set_aside(&mut self) -> Result<Option<String>, String> {
+    fn set_aside(&mut self) -> Result<Option<Place>, PlatformError> {
         Ok(None)
     }
     fn copy(&mut self, _ctx: &egui::Context, _text: String) {}

@@ -2,7 +2,7 @@
 
 use super::command::Command;
 use super::context::AppContext;
-use super::dialog::{Dialog, DialogFrame, close_button};
+use super::dialog::{Dialog, DialogFrame, close_button_ui};
 use super::platform::Licenses;
 use super::theme;
 use egui::Ui;
@@ -12,10 +12,10 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let frame = DialogFrame {
         id: "about",
         title: Command::ShowDialog(Some(Dialog::About)).text(),
-        max_width: 640.0,
+        max_width: theme::ABOUT_WIDTH,
     };
     let close = Command::ShowDialog(None);
-    let response = frame.show(ui, |ui| {
+    let response = frame.ui(ui, |ui| {
         ui.add_space(theme::STEP);
         ui.label(version(cx.platform.commit().as_deref()));
         ui.label("You may use, change and share it under the MIT or the Apache 2.0 license, as you like.");
@@ -28,7 +28,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
             Licenses::Text(licenses) => full_text_ui(ui, licenses),
         }
         ui.add_space(2.0 * theme::STEP);
-        close_button(ui, close.text(), cx.layout)
+        close_button_ui(ui, close.text(), cx.layout)
     });
     if response.inner || response.should_close() {
         cx.commands.push(close);
@@ -53,15 +53,15 @@ fn full_text_ui(ui: &mut Ui, licenses: &'static str) {
     use egui::{Key, Label, Modifiers, RichText, ScrollArea, TextStyle, UiBuilder, vec2};
 
     ui.add_space(2.0 * theme::STEP);
-    text::heading(
+    text::heading_ui(
         ui,
         "Licenses of the program, its fonts and every library in it",
         3,
         theme::strong(theme::BODY_SIZE),
         theme::palette(ui).text,
     );
-    // Whatever the rest of the dialog leaves; at least a few lines in the smallest window.
-    let height = (ui.ctx().content_rect().height() - 360.0).max(96.0);
+    // Whatever the rest of the dialog leaves.
+    let height = (ui.ctx().content_rect().height() - theme::ABOUT_FRAME_HEIGHT).max(theme::LICENSES_MIN_HEIGHT);
     let turned: f32 = [
         (Key::PageDown, -0.9),
         (Key::PageUp, 0.9),

@@ -3,9 +3,9 @@
 
 use super::dialog::Dialog;
 use super::saved::Screen;
-use super::sentences::Sentence;
+use super::sentences::NoticeText;
 use crate::core::problem::Field;
-use crate::core::quantity::{LengthUnit, Pixels};
+use crate::core::quantity::LengthUnit;
 use depth_text::entry::Entry;
 use depth_text::field::Key as FieldKey;
 use depth_text::form::Inputs;
@@ -45,7 +45,7 @@ pub enum Command {
     /// Put the results on the clipboard.
     CopyResults,
     /// Replace what was typed, show the calculator, and say this.
-    Open(Box<Inputs>, Sentence),
+    Open(Box<Inputs>, NoticeText),
     /// Fill in what the part of a link behind `#` names, and nothing else.
     Follow(String),
     /// Replace what was typed into a field by what a note offered.
@@ -58,8 +58,6 @@ pub enum Command {
     ShowDialog(Option<Dialog>),
     /// Open a helper, or close the one that is open.
     Help(Option<Helper>),
-    /// The principal point became known, cx and cy.
-    PrincipalPoint(Pixels, Pixels),
     /// Show or hide range, tilt and ground plane.
     ShowGeometry(bool),
     /// Show a screen.
@@ -94,7 +92,7 @@ impl Command {
             Self::Theme(ThemePreference::Light) => "Light",
             Self::Theme(ThemePreference::Dark) => "Dark",
             Self::ShowDialog(None) | Self::Dismiss => "Close",
-            Self::Open(..) | Self::Follow(_) | Self::Fix(..) | Self::DragDisparity(_) | Self::Settle | Self::PrincipalPoint(..) => "",
+            Self::Open(..) | Self::Follow(_) | Self::Fix(..) | Self::DragDisparity(_) | Self::Settle => "",
         }
     }
 
@@ -141,8 +139,8 @@ impl Command {
         shortcuts.any(|shortcut| shortcut.keys.take(input))
     }
 
-    /// Whether it belongs to editing: the inputs as they were before it are a step of undo. Not so for looking at something, nor for
-    /// a move of a drag, which goes on.
+    /// Whether the inputs as they are before it are added to the history for undo. Not before commands that only show something, nor
+    /// before a move of a drag, which is part of a longer edit.
     pub const fn is_edit(&self) -> bool {
         !matches!(self, Self::DragDisparity(_) | Self::CopyResults | Self::Show(_) | Self::Theme(_))
     }

@@ -26,19 +26,19 @@ pub struct DialogFrame {
 
 impl DialogFrame {
     /// Draws the dialog.
-    pub fn show<R>(&self, ui: &Ui, add_contents: impl FnOnce(&mut Ui) -> R) -> ModalResponse<R> {
+    pub fn ui<R>(&self, ui: &Ui, add_contents: impl FnOnce(&mut Ui) -> R) -> ModalResponse<R> {
         let palette = theme::palette(ui);
         let modal = Modal::new(Id::unique(self.id)).frame(theme::card(palette));
         modal.show(ui.ctx(), |ui| {
             ui.set_width((ui.ctx().content_rect().width() - theme::DIALOG_MARGINS).min(self.max_width));
-            text::heading(ui, self.title, 2, theme::strong(theme::TITLE_SIZE), palette.text);
+            text::heading_ui(ui, self.title, 2, theme::strong(theme::TITLE_SIZE), palette.text);
             add_contents(ui)
         })
     }
 }
 
 /// The button that closes a dialog, as high as controls are in `layout`. Returns whether it was clicked.
-pub fn close_button(ui: &mut Ui, name: &str, layout: Layout) -> bool {
+pub fn close_button_ui(ui: &mut Ui, name: &str, layout: Layout) -> bool {
     let size = vec2(theme::DIALOG_BUTTON_WIDTH, layout.control_height());
     ui.add_sized(size, Button::new(name)).clicked()
 }

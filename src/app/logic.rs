@@ -7,7 +7,7 @@ use super::context::AppContext;
 use super::notice::Notice;
 use super::platform::Event;
 use super::saved::{Saved, Screen};
-use super::sentences::Sentence;
+use super::sentences::{FreshStart, NoticeText, Place, PlatformError};
 use super::theme::{self, Layout};
 use super::widgets::field;
 use crate::core::problem::Field;
@@ -15,7 +15,7 @@ use depth_text::entry::Entry;
 use depth_text::export::{Exporter as _, Results, Text};
 use depth_text::field::Key;
 use depth_text::form::Inputs;
-use depth_text::{fields, geometry, link, number};
+use depth_text::{fields, link, number};
 
 impl App {
     /// Runs the logic.
@@ -39,9 +39,9 @@ impl App {
 
     fn handle(&mut self, ctx: &egui::Context, event: Event) {
         match event {
-            Event::Copied(Ok(())) => self.say(Sentence::Copied, None),
-            Event::Copied(Err(reason)) => self.say(reason, None),
-            Event::StoredElsewhere => self.say(Sentence::StoredElsewhere, None),
+            Event::Copied(Ok(())) => self.say(NoticeText::Copied, None),
+            Event::Copied(Err(error)) => self.say(NoticeText::NotCopied(error), None),
+            Event::StoredElsewhere => self.say(NoticeText::StoredElsewhere, None),
             Event::Colors(colors) => {
                 if colors != self.system_colors {
                     self.system_colors = colors;
@@ -69,7 +69,7 @@ impl App {
             Command::Undo => self.undo(),
             Command::Redo => self.redo(),
             Command::CopyResults => {
-                let text = Text.export(&Results {
+                let Ok(text) = Text.export(&Results {
                     inputs: &self.session.inputs,
                     assessment: self.session.assessment(),
                     unit: self.settings.result_unit,
@@ -80,7 +80,6 @@ impl App {
             Command::DragDisparity(disparity) => self.session.inputs.entry_mut(Field::Disparity).text = number::plain(disparity),
             Command::ShowDialog(dialog) => self.dialog = dialog,
             Command::Help(helper) => self.calculator.helper = helper,
-            Command::PrincipalPoint(cx, cy) => geometry::set_principal_point(&mut self.settings.entries, cx, cy),
             Command::ShowGeometry(shown) => self.settings.shows_geometry = shown,
             Command::Show(screen) => self.settings.screen = screen,
             Command::ShowResultsIn(unit) => self.settings.result_unit = unit,
@@ -95,15 +94,15 @@ impl App {
 
     fn reset(&mut self) {
         if self.session.inputs.is_blank() {
-            self.say(Sentence::NothingToClear, None);
+            self.say(NoticeText::NothingToClear, None);
         } else {
-            self.say(Sentence::Cleared, Some(Command::Undo));
+            self.say(NoticeText::Cleared, Some(Command::Undo));
         }
         self.session.inputs = Inputs::default();
         self.calculator.marked = false;
     }
 
-    fn open(&mut self, ctx: &egui::Context, inputs: Inputs, said: Sentence) {
+    fn open(&mut self, ctx: &egui::Context, inputs: Inputs, said: NoticeText) {
         let replaced = !self.session.inputs.is_blank();
         self.session.inputs = inputs;
         self.settings.screen = Screen::Calculator;
@@ -116,23 +115,23 @@ impl App {
     fn follow(&mut self, ctx: &egui::Context, fragment: &str) {
         let mut inputs = self.session.inputs.clone();
         if link::apply(fragment, &mut inputs) {
-            self.open(ctx, inputs, Sentence::FilledByLink);
+            self.open(ctx, inputs, NoticeText::FilledByLink);
         }
     }
 
     fn undo(&mut self) {
         if self.session.undo() {
-            self.say(Sentence::Undone, Some(Command::Redo));
+            self.say(NoticeText::Undone, Some(Command::Redo));
         } else {
-            self.say(Sentence::NothingToUndo, None);
+            self.say(NoticeText::NothingToUndo, None);
         }
     }
 
     fn redo(&mut self) {
         if self.session.redo() {
-            self.say(Sentence::Redone, Some(Command::Undo));
+            self.say(NoticeText::Redone, Some(Command::Undo));
         } else {
-            self.say(Sentence::NothingToRedo, None);
+            self.say(NoticeText::NothingToRedo, None);
         }
     }
 
@@ -150,11 +149,8 @@ impl App {
         ctx.memory_mut(|memory| memory.request_focus(field::id(key)));
     }
 
-    fn say(&mut self, sentence: impl ToString, action: Option<Command>) {
-        self.notice = Some(Notice {
-            text: sentence.to_string(),
-            action,
-        });
+    fn say(&mut self, text: NoticeText, action: Option<Command>) {
+        self.notice = Some(Notice { text, action });
     }
 
     /// Whether the state is saved.
@@ -162,31 +158,24 @@ impl App {
         self.stored.inputs == self.session.inputs && self.stored.settings == self.settings
     }
 
-    /// Starts with empty inputs, as `reason` says why what is stored cannot be used.
-    pub(super) fn start_fresh(&mut self, reason: &str) {
-        let Err(obstacle) = self.set_aside_unreadable(reason) else { return };
-        // Both are the same where storage does not work at all.
-        let obstacle = if obstacle == reason {
-            String::new()
-        } else {
-            format!(" {obstacle}")
+    /// Starts with empty inputs: because of `cause`, what is stored cannot be used.
+    pub(super) fn start_fresh(&mut self, cause: FreshStart) {
+        let same = cause.clone();
+        let Err(error) = self.set_aside_unreadable(|place| NoticeText::SetAside { cause: same, place }) else {
+            return;
         };
-        self.say(
-            Sentence::Forgetful {
-                reason: format!("{reason}{obstacle}"),
-            },
-            None,
-        );
+        // Both are the same where storage does not work at all.
+        let obstacle = (cause != FreshStart::NotLoaded(error.clone())).then_some(error);
+        self.say(NoticeText::Forgetful { cause, obstacle }, None);
     }
 
-    /// Moves what could not be read to another place in storage, and shows `reason` and that place.
-    fn set_aside_unreadable(&mut self, reason: &str) -> Result<(), String> {
+    /// Moves what could not be read to another place in storage, and shows the notice about that place.
+    fn set_aside_unreadable(&mut self, notice: impl FnOnce(Place) -> NoticeText) -> Result<(), PlatformError> {
         if self.holds_unreadable {
             let kept = self.platform.set_aside()?;
             self.holds_unreadable = false;
             if let Some(place) = kept {
-                let reason = reason.to_owned();
-                self.say(Sentence::SetAside { reason, place }, None);
+                self.say(notice(place), None);
             }
         }
         Ok(())
@@ -202,11 +191,11 @@ impl App {
             settings: self.settings.clone(),
         };
         let outcome = self
-            .set_aside_unreadable(&Sentence::RoomAgain.to_string())
+            .set_aside_unreadable(NoticeText::SetAsideLater)
             .and_then(|()| self.stored.to_text())
             .and_then(|text| self.platform.save(&text));
-        if let Err(reason) = outcome {
-            self.say(Sentence::NotStored { reason }, None);
+        if let Err(error) = outcome {
+            self.say(NoticeText::NotStored(error), None);
         }
     }
 }
@@ -222,13 +211,13 @@ mod tests {
     struct Machine(Vec<Event>);
 
     impl Platform for Machine {
-        fn load(&self) -> Result<Option<String>, String> {
+        fn load(&self) -> Result<Option<String>, PlatformError> {
             Ok(None)
         }
-        fn save(&mut self, _text: &str) -> Result<(), String> {
+        fn save(&mut self, _text: &str) -> Result<(), PlatformError> {
             Ok(())
         }
-        fn set_aside(&mut self) -> Result<Option<String>, String> {
+        fn set_aside(&mut self) -> Result<Option<Place>, PlatformError> {
             Ok(None)
         }
         fn copy(&mut self, _ctx: &egui::Context, _text: String) {}
@@ -252,22 +241,22 @@ mod tests {
         (ctx, app)
     }
 
-    fn said(app: &App) -> &str {
-        app.notice.as_ref().map_or("", |notice| &notice.text)
+    fn said(app: &App) -> Option<&NoticeText> {
+        app.notice.as_ref().map(|notice| &notice.text)
     }
 
     #[test]
     fn what_another_tab_stores_is_said_and_what_happens_last_is_said_last() {
         let (_, app) = after(vec![Event::StoredElsewhere]);
-        assert!(said(&app).starts_with("Another tab changed what is stored."));
-        let (_, app) = after(vec![Event::StoredElsewhere, Event::Copied(Err("No clipboard.".to_owned()))]);
-        assert_eq!(said(&app), "No clipboard.");
+        assert_eq!(said(&app), Some(&NoticeText::StoredElsewhere));
+        let (_, app) = after(vec![Event::StoredElsewhere, Event::Copied(Err(PlatformError::NoClipboard))]);
+        assert_eq!(said(&app), Some(&NoticeText::NotCopied(PlatformError::NoClipboard)));
     }
 
     #[test]
     fn a_link_that_names_nothing_changes_nothing_and_leaves_the_notice() {
         let (_, app) = after(vec![Event::Copied(Ok(())), Event::Link("#section".to_owned())]);
-        assert_eq!(said(&app), "Results copied to the clipboard.");
+        assert_eq!(said(&app), Some(&NoticeText::Copied));
         assert!(app.session.inputs.is_blank());
     }
 

@@ -29,7 +29,10 @@ use egui::Ui;
 use notice::Notice;
 pub use platform::{COPY_RESULTS, Event, Licenses, Platform};
 use saved::{Saved, Screen, Settings};
-use sentences::Sentence;
+use sentences::FreshStart;
+#[cfg(test)]
+pub(crate) use sentences::snapshot;
+pub use sentences::{Place, PlatformError};
 use session::Session;
 pub use theme::SystemColors;
 use widgets::field;
@@ -61,9 +64,9 @@ impl App {
             Ok(None) => (Saved::default(), None),
             Ok(Some(text)) => match Saved::from_text(&text) {
                 Some(saved) => (saved, None),
-                None => (Saved::default(), Some(Sentence::Unreadable.to_string())),
+                None => (Saved::default(), Some(FreshStart::NotParsed)),
             },
-            Err(reason) => (Saved::default(), Some(reason)),
+            Err(error) => (Saved::default(), Some(FreshStart::NotLoaded(error))),
         };
         ctx.set_theme(saved.settings.theme);
         let mut app = Self {
@@ -78,8 +81,8 @@ impl App {
             system_colors: None,
             pending: Vec::new(),
         };
-        if let Some(reason) = unread {
-            app.start_fresh(&reason);
+        if let Some(cause) = unread {
+            app.start_fresh(cause);
         }
         app.focus_first_field(ctx);
         app

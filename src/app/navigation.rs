@@ -14,9 +14,9 @@ use egui::{Button, RichText, Stroke, ThemePreference, Ui, UiBuilder, vec2};
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let palette = theme::palette(ui);
     ui.horizontal(|ui| {
-        text::heading(ui, "Depth Calculator", 1, theme::strong(theme::TITLE_SIZE), palette.text);
+        text::heading_ui(ui, "Depth Calculator", 1, theme::strong(theme::TITLE_SIZE), palette.text);
         if cx.layout != Layout::Phone {
-            ui.add_space(8.0);
+            ui.add_space(2.0 * theme::STEP);
             tabs_ui(ui, cx);
         }
         // A right-to-left layout would reverse the order in which Tab and screen readers reach the buttons.

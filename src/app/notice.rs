@@ -2,15 +2,16 @@
 
 use super::command::Command;
 use super::context::AppContext;
+use super::sentences::NoticeText;
 use super::widgets::text;
 use egui::{Button, Ui, vec2};
 
 /// What the notice bar says.
 #[derive(Debug)]
 pub struct Notice {
-    /// The sentence.
-    pub text: String,
-    /// What can be done about it.
+    /// Its text.
+    pub text: NoticeText,
+    /// The command of its button, such as Undo.
     pub action: Option<Command>,
 }
 
@@ -18,7 +19,7 @@ impl Notice {
     /// Draws the contents of the bar.
     pub fn ui(&self, ui: &mut Ui, cx: &mut AppContext<'_>) {
         ui.horizontal_wrapped(|ui| {
-            let said = ui.label(&self.text);
+            let said = ui.label(self.text.to_string());
             text::announce(ui, &said);
             let button = |name: &str| Button::new(name).min_size(vec2(0.0, cx.layout.control_height()));
             if let Some(action) = &self.action

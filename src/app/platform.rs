@@ -1,5 +1,6 @@
 //! The port to the platform: storage, clipboard, events, and what the program says about itself.
 
+use super::sentences::{Place, PlatformError};
 use super::theme::SystemColors;
 
 /// The author id, in the accessibility tree, of the button that calls [`App::copy_results`](super::App::copy_results) while the click is
@@ -11,21 +12,21 @@ pub trait Platform {
     /// The stored state, if there is any.
     ///
     /// # Errors
-    /// A sentence saying why storage cannot be used.
-    fn load(&self) -> Result<Option<String>, String>;
+    /// Why storage cannot be read.
+    fn load(&self) -> Result<Option<String>, PlatformError>;
 
     /// Stores `text` over what was stored.
     ///
     /// # Errors
-    /// A sentence saying why not.
-    fn save(&mut self, text: &str) -> Result<(), String>;
+    /// Why storage cannot be written.
+    fn save(&mut self, text: &str) -> Result<(), PlatformError>;
 
     /// Moves what is stored, which cannot be read, to where nothing is overwritten, now or later: it may be of a newer version.
-    /// Returns where a person finds it, as the end of a sentence ("in the file …"), or nothing where nothing is stored.
+    /// Returns where a person finds it, or nothing where nothing is stored.
     ///
     /// # Errors
-    /// A sentence saying why not. What is stored is then still in its place.
-    fn set_aside(&mut self) -> Result<Option<String>, String>;
+    /// Why it cannot be moved. What is stored is then still in its place.
+    fn set_aside(&mut self) -> Result<Option<Place>, PlatformError>;
 
     /// Starts putting `text` on the clipboard; the outcome comes later as [`Event::Copied`].
     fn copy(&mut self, ctx: &egui::Context, text: String);
@@ -43,8 +44,8 @@ pub trait Platform {
 /// Something that has happened outside the program.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Event {
-    /// The outcome of a [`Platform::copy`], or a sentence saying why it failed.
-    Copied(Result<(), String>),
+    /// The outcome of a [`Platform::copy`].
+    Copied(Result<(), PlatformError>),
     /// Another tab or window has stored something.
     StoredElsewhere,
     /// The person has chosen these colors for everything on the screen, or none any more.

@@ -1,7 +1,9 @@
 //! The state that survives a reload and a restart, and its text form.
 
+use super::sentences::PlatformError;
 use crate::core::quantity::LengthUnit;
 use depth_text::entry::Entries;
+use depth_text::field::Key;
 use depth_text::form::Inputs;
 use depth_text::version1;
 use egui::ThemePreference;
@@ -15,7 +17,7 @@ pub enum Screen {
     /// The form and its results.
     #[default]
     Calculator,
-    /// What the numbers mean.
+    /// The formulas, explained.
     Learn,
 }
 
@@ -77,7 +79,7 @@ pub struct Saved {
 /// The version of the stored text. Version 1 is still read, a text of any other is not.
 const VERSION: u32 = 2;
 
-/// What says how to read the rest.
+/// The version of a stored text, which decides how the rest of it is parsed.
 #[derive(Deserialize)]
 struct StoredVersion {
     version: u32,
@@ -143,7 +145,7 @@ impl Saved {
     ///
     /// # Errors
     /// The error of the serializer, in the unlikely case that there is one.
-    pub fn to_text(&self) -> Result<String, String> {
+    pub fn to_text(&self) -> Result<String, PlatformError> {
         serde_json::to_string(&Stored {
             version: VERSION,
             inputs: self.inputs.clone(),
@@ -158,7 +160,7 @@ impl Saved {
             entries: self.settings.entries.clone(),
             ways: self.settings.ways.clone(),
         })
-        .map_err(|error| error.to_string())
+        .map_err(|error| PlatformError::NotSerialized { reason: error.to_string() })
     }
 
     /// What was stored as `text`; `None` where it is corrupt or of another version.
@@ -175,7 +177,13 @@ impl Saved {
 }
 
 impl From<Stored> for Saved {
-    fn from(stored: Stored) -> Self {
+    fn from(mut stored: Stored) -> Self {
+        // Once the fields of range, tilt and ground plane were no part of the form.
+        for key in Key::form() {
+            if let Some(entry) = stored.entries.remove(key) {
+                *stored.inputs.entry_mut(key) = entry;
+            }
+        }
         Self {
             inputs: stored.inputs,
             settings: Settings {

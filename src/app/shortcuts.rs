@@ -2,10 +2,10 @@
 
 use super::command::{Command, Scope};
 use super::context::AppContext;
-use super::dialog::{Dialog, DialogFrame, close_button};
+use super::dialog::{Dialog, DialogFrame, close_button_ui};
 use super::saved::Screen;
 use super::theme;
-use super::widgets::table::{Cell, row, table};
+use super::widgets::table::{Cell, row_ui, table_ui};
 use super::widgets::text;
 use egui::accesskit::Role;
 use egui::text::LayoutJob;
@@ -54,12 +54,12 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let frame = DialogFrame {
         id: "keys",
         title: "Keys",
-        max_width: 460.0,
+        max_width: theme::KEYS_WIDTH,
     };
     let about = Command::ShowDialog(Some(Dialog::About));
     let close = Command::ShowDialog(None);
-    let response = frame.show(ui, |ui| {
-        table(ui, "Keys", |ui| {
+    let response = frame.ui(ui, |ui| {
+        table_ui(ui, "Keys", |ui| {
             for (keys, what) in rows() {
                 let cell = |text, font, role| Cell {
                     text: LayoutJob::simple(text, font, palette.text, 0.0),
@@ -70,13 +70,13 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
                     cell(keys, theme::strong(theme::BODY_SIZE), Role::RowHeader),
                     cell(what, theme::regular(theme::BODY_SIZE), Role::Cell),
                 ];
-                row(ui, cells, &[1.0, 1.6]);
+                row_ui(ui, cells, &[1.0, 1.6]);
             }
         });
         ui.add_space(2.0 * theme::STEP);
         ui.horizontal(|ui| {
-            let closed = close_button(ui, close.text(), cx.layout);
-            if text::link_button(ui, about.text(), cx.layout).clicked() {
+            let closed = close_button_ui(ui, close.text(), cx.layout);
+            if text::link_button_ui(ui, about.text(), cx.layout).clicked() {
                 Some(about)
             } else {
                 closed.then(|| close.clone())

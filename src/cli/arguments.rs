@@ -1,6 +1,8 @@
 //! What can be typed: commands, their arguments and their help.
 
-use super::options::{self, Calculate};
+use super::help;
+use super::options::{Calculate, Ground};
+use super::q::Q;
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
 
@@ -29,8 +31,14 @@ pub(super) struct Cli {
 #[derive(Debug, Subcommand)]
 pub(super) enum Task {
     /// Compute the distance from a disparity (two cameras), from a known size (one camera), or both
-    #[command(after_long_help = options::MORE_HELP)]
+    #[command(after_long_help = help::CALCULATE)]
     Calculate(Box<Calculate>),
+    /// Compute where a pixel's ray meets the floor, from the height and the pitch of the camera
+    #[command(after_long_help = help::GROUND)]
+    Ground(Box<Ground>),
+    /// Read focal length, baseline and doffs from a Q matrix of stereoRectify
+    #[command(after_long_help = help::Q)]
+    Q(Q),
     /// Print the completions of a shell, to be stored where it looks for them
     #[command(after_long_help = COMPLETIONS_HELP)]
     Completions {

@@ -1,90 +1,117 @@
 //! `calculate`: what is answered, warned about or refused.
 
-use super::options::{Calculate, name};
+use super::json::Json;
+use super::options::{Calculate, method_of, name};
 use super::reply::Reply;
+use super::text::Text;
 use super::warning::Warning;
-use super::{json, text};
-use crate::core::problem::{Method, Outcome, Solution};
-use depth_text::entry::Entry;
-use depth_text::field::Key;
+use crate::core::problem::{Field, Method, Outcome};
+use depth_text::assess::Assessment;
+use depth_text::export::{Exporter as _, Results};
+use depth_text::field::{Key, Section};
 use depth_text::fields;
 use depth_text::form::Inputs;
+use depth_text::geometry::Geometry;
+use depth_text::names::Named as _;
 use depth_text::note::{Part, Severity};
-use depth_text::sentences::CommandLine;
+use depth_text::sentences::{CommandLine, Statement};
 
 impl Calculate {
-    /// Whether the option for the value of `key` or for its σ was given.
     fn is_given(&self, key: impl Into<Key>, part: Part) -> bool {
-        let key = key.into();
-        self.typed.iter().any(|typed| (typed.0, typed.1) == (key, part))
+        self.fields.is_given(key, part)
     }
 
-    fn inputs(&self) -> Inputs {
-        let mut inputs = Inputs {
+    fn inputs(&self) -> Result<Inputs, String> {
+        Ok(Inputs {
+            entries: self.fields.entries(),
             with_uncertainty: true,
-            ..Inputs::default()
+            unknown: self.unknown()?,
+        })
+    }
+
+    /// The equation and its unknown, where that is not the distance.
+    fn unknown(&self) -> Result<Option<(Method, Field)>, String> {
+        let Some((key, field)) = self.solve_for.and_then(|key| Some((key, key.input?))) else {
+            return Ok(None);
         };
-        for (key, part, text) in &self.typed {
-            match part {
-                Part::Value => inputs.fill(*key, Entry::new(text, None)),
-                Part::Sigma => inputs.set_sigma(*key, text),
-            }
+        if !self.is_given(fields::DISTANCE, Part::Value) {
+            return Err(CommandLine::NoKnownDistance.to_string());
         }
-        inputs
+        if let Some(method) = method_of(key) {
+            return Ok(Some((method, field)));
+        }
+        let begun = |method: &Method| method.own_fields().into_iter().any(|field| self.is_given(field, Part::Value));
+        match Method::ALL.into_iter().filter(begun).collect::<Vec<_>>()[..] {
+            [method] => Ok(Some((method, field))),
+            [] => Err(self.what_is_missing().to_string()),
+            _ => Err(CommandLine::WhichEquation.to_string()),
+        }
     }
 
     /// The answer, or one sentence that says why there is none.
     pub(super) fn reply(&self) -> Result<Reply, String> {
-        self.refuse_empty()?;
-        let inputs = self.inputs();
+        self.fields.refuse_empty()?;
+        let inputs = self.inputs()?;
         let assessment = inputs.assess();
         let solution = &assessment.solution;
-        let answered = Method::ALL.iter().any(|&method| solution.outcome(method).distance().is_some());
+        let has_distance = Method::ALL.iter().any(|&method| solution.outcome(method).distance().is_some());
+        let answered = has_distance || assessment.geometry.point.is_some();
         let error = assessment.notes.iter().find(|note| note.severity == Severity::Error);
         if let Some(note) = error
-            && !(answered && is_beside_the_answer(solution, note.key))
+            && !(answered && is_beside_the_answer(&assessment, note.key))
         {
             return Err(Warning::of(note).to_string());
+        }
+        if let Some(Err(reason)) = assessment.unknown.as_ref().map(|unknown| &unknown.outcome) {
+            return Err(reason.to_string());
         }
         if !answered {
             return Err(self.what_is_missing().to_string());
         }
-        // Half of the other method was given: that is worth a warning, an untouched one is not.
-        let missing = assessment.missing.iter().filter(|note| assessment.note(note.key).is_none());
-        let mut warnings: Vec<Warning> = assessment.notes.iter().chain(missing).map(Warning::of).collect();
-        let unused = self.unused(solution);
-        // What there is a better sentence about is not mentioned again.
-        let is_new = |unused: &Warning| warnings.iter().all(|warning| warning.field != unused.field);
-        let unused: Vec<Warning> = unused.into_iter().filter(is_new).collect();
-        warnings.extend(unused);
-        if self.json {
-            return json::answer(solution, &warnings).map(Reply::without_warnings);
+        let warnings = self.warnings(&inputs, &assessment);
+        let results = Results {
+            inputs: &inputs,
+            assessment: &assessment,
+            unit: self.fields.unit,
+        };
+        if self.fields.json {
+            let answer = Json { warnings: &warnings }.export(&results);
+            return answer.map(Reply::without_warnings).map_err(|error| error.to_string());
         }
+        let Ok(text) = Text.export(&results);
         Ok(Reply {
-            text: text::answer(&assessment, self.unit),
+            text,
             warnings: warnings.iter().map(Warning::to_string).collect(),
         })
     }
 
-    /// An empty value is a variable of a script that was not set, not an input that was left out.
-    fn refuse_empty(&self) -> Result<(), String> {
-        let empty = |(_, _, text): &&(Key, Part, String)| text.trim().is_empty();
-        // Field by field, as they are asked for.
-        match self.typed.iter().filter(empty).min_by_key(|(key, part, _)| (*key, *part)) {
-            Some((key, part, _)) => Err(CommandLine::EmptyOption { option: name(*key, *part) }.to_string()),
-            None => Ok(()),
+    fn warnings(&self, inputs: &Inputs, assessment: &Assessment) -> Vec<Warning> {
+        // Half of the other method was given: that is worth a warning, an untouched one is not.
+        let missing = assessment.missing.iter().filter(|note| assessment.note(note.key).is_none());
+        let missing = missing.filter(|_| Method::ALL.into_iter().any(|method| inputs.is_begun(method)));
+        let mut warnings: Vec<Warning> = assessment.notes.iter().chain(missing).map(Warning::of).collect();
+        let unused = self.unused(assessment);
+        // What there is a better sentence about is not mentioned again.
+        let is_new = |unused: &Warning| warnings.iter().all(|warning| warning.field != unused.field);
+        let unused: Vec<Warning> = unused.into_iter().filter(is_new).collect();
+        warnings.extend(unused);
+        if assessment.solution.comparison.is_some_and(|comparison| comparison.contradict()) {
+            warnings.extend(Statement::comparison(&assessment.solution).map(|statement| Warning::of_results(&statement)));
         }
+        warnings
     }
 
     /// Which options would give a distance: those of the methods of which something was typed, else those of both.
     fn what_is_missing(&self) -> CommandLine {
         let touched = |method: &Method| method.own_fields().into_iter().any(|field| self.is_given(field, Part::Value));
         let any_touched = Method::ALL.iter().any(touched);
+        let solved_for = |field: &Field| self.solve_for.is_some_and(|key| key == *field);
         let ways = Method::ALL
             .into_iter()
             .filter(|method| touched(method) || !any_touched)
             .map(|method| {
-                let missing = method.fields().into_iter().filter(|&field| !self.is_given(field, Part::Value));
+                let fields = method.fields().into_iter();
+                let missing = fields.filter(|field| !self.is_given(*field, Part::Value) && !solved_for(field));
                 (missing.map(|field| name(field.into(), Part::Value)).collect(), method.name())
             })
             .collect();
@@ -92,33 +119,54 @@ impl Calculate {
     }
 
     /// What was typed and plays no part in the answer.
-    fn unused(&self, solution: &Solution) -> Vec<Warning> {
-        let stereo = Method::Stereo.own_fields();
-        let is_stereo = solution.stereo.distance().is_some() || stereo.iter().any(|&field| self.is_given(field, Part::Value));
-        let reason = |key: Key, part| match part {
-            _ if key == fields::DOFFS => (!is_stereo).then_some(CommandLine::UnusedDoffs),
-            Part::Sigma if !self.is_given(key, Part::Value) => Some(CommandLine::UnusedSigma {
-                option: name(key, Part::Value),
-            }),
-            Part::Sigma | Part::Value => None,
-        };
-        let mut typed: Vec<(Key, Part)> = self.typed.iter().map(|&(key, part, _)| (key, part)).collect();
+    fn unused(&self, assessment: &Assessment) -> Vec<Warning> {
+        let mut typed: Vec<(Key, Part)> = self.fields.typed.iter().map(|&(key, part, _)| (key, part)).collect();
         typed.sort();
         typed
             .into_iter()
-            .filter_map(|(key, part)| Some(Warning::new(key, part, &reason(key, part)?)))
+            .filter_map(|(key, part)| Some(Warning::new(key, part, &self.why_unused(assessment, key, part)?)))
             .collect()
+    }
+
+    fn why_unused(&self, assessment: &Assessment, key: Key, part: Part) -> Option<CommandLine> {
+        if self.solve_for == Some(key) {
+            return Some(CommandLine::UnusedUnknown);
+        }
+        if key == fields::DISTANCE && self.solve_for.is_none() {
+            return Some(CommandLine::UnusedDistance);
+        }
+        if part == Part::Sigma && key != fields::DOFFS && !self.is_given(key, Part::Value) {
+            return Some(CommandLine::UnusedSigma {
+                option: name(key, Part::Value),
+            });
+        }
+        if key.section == Some(Section::Point) && assessment.geometry.point.is_none() {
+            let needed = Geometry::POINT
+                .into_iter()
+                .filter(|&key| key != fields::FY && key != fields::TAPED_RANGE);
+            let missing = needed.filter(|&key| !self.is_given(key, Part::Value));
+            let options = missing.map(|key| name(key, Part::Value)).collect();
+            return Some(CommandLine::UnusedPoint { options });
+        }
+        let method = Method::ALL.into_iter().find(|method| key == method.optional_field())?;
+        let is_begun = method.own_fields().into_iter().any(|field| self.is_given(field, Part::Value));
+        (!is_begun && assessment.solution.outcome(method).distance().is_none()).then_some(match method {
+            Method::Stereo => CommandLine::UnusedDoffs,
+            Method::Monocular => CommandLine::UnusedTilt,
+        })
     }
 }
 
 /// Whether `key` belongs only to a method that is not the one that gave an answer.
-fn is_beside_the_answer(solution: &Solution, key: Key) -> bool {
+fn is_beside_the_answer(assessment: &Assessment, key: Key) -> bool {
+    if assessment.unknown.is_some() || key.section == Some(Section::Point) {
+        return false;
+    }
     let belongs = |method: Method| {
-        let is_offset = method == Method::Stereo && key == fields::DOFFS;
-        method.fields().into_iter().any(|field| key == field) || is_offset
+        let mut fields = method.fields().into_iter().chain([method.optional_field()]);
+        fields.any(|field| key == field)
     };
-    Method::ALL
-        .into_iter()
-        .filter(|&method| matches!(solution.outcome(method), Outcome::Distance(_)))
-        .all(|method| !belongs(method))
+    let is_answered = |&method: &Method| matches!(assessment.solution.outcome(method), Outcome::Distance(_));
+    let is_of_point = assessment.geometry.point.is_some() && key == fields::FOCAL_LENGTH;
+    !is_of_point && Method::ALL.into_iter().filter(is_answered).all(|method| !belongs(method))
 }

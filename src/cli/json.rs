@@ -1,8 +1,19 @@
 //! The answer for a program to read.
 
+use super::ascii::in_sentence;
+use super::options::name;
 use super::warning::Warning;
-use crate::core::problem::{Method, Solution};
-use crate::core::quantity::{Length, Pixels};
+use crate::core::agreement::Verdict;
+use crate::core::camera::PointSolution;
+use crate::core::measured::Measured;
+use crate::core::problem::{Method, Origin, Solution};
+use crate::core::quantity::{Length, Pixels, Quantity};
+use depth_text::assess::{Assessment, Unknown};
+use depth_text::export::{Exporter, Results};
+use depth_text::field::Key;
+use depth_text::geometry::PointOrigin;
+use depth_text::note::Part;
+use depth_text::sentences::Statement;
 use serde::Serialize;
 
 /// Lengths in meters; null for what is unknown or unbounded.
@@ -11,6 +22,9 @@ struct Answer<'a> {
     stereo: Option<Distance>,
     monocular: Option<Distance>,
     combined: Option<Combined>,
+    agreement: Option<Agreement>,
+    solved: Option<Solved>,
+    point: Option<Point>,
     estimated_width_px: Option<f64>,
     estimated_width_m: Option<f64>,
     warnings: &'a [Warning],
@@ -30,33 +44,124 @@ struct Combined {
     sigma_m: f64,
 }
 
-/// The answer as JSON, with a line end.
-///
-/// # Errors
-/// Why it cannot be JSON.
-pub(super) fn answer(solution: &Solution, warnings: &[Warning]) -> Result<String, String> {
-    let distance = |method: Method| {
-        let known = solution.uncertainty(method);
-        Some(Distance {
-            distance_m: solution.outcome(method).distance()?.m(),
-            sigma_m: known.map(|known| known.sigma.m()),
-            near_m: known.map(|known| known.interval.near.m()),
-            far_m: known.and_then(|known| known.interval.far).map(Length::m),
-        })
-    };
-    let combined = solution.comparison.and_then(|comparison| comparison.combined);
-    let answer = Answer {
-        stereo: distance(Method::Stereo),
-        monocular: distance(Method::Monocular),
-        combined: combined.map(|combined| Combined {
-            distance_m: combined.value.m(),
-            sigma_m: combined.sigma.m(),
-        }),
-        estimated_width_px: solution.estimated_width_px.map(Pixels::px),
-        estimated_width_m: solution.estimated_width.map(Length::m),
-        warnings,
-    };
-    let mut text = serde_json::to_string_pretty(&answer).map_err(|error| error.to_string())?;
-    text.push('\n');
-    Ok(text)
+#[derive(Serialize)]
+struct Agreement {
+    z: f64,
+    verdict: &'static str,
+    suspects: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Solved {
+    field: String,
+    value: f64,
+    unit: &'static str,
+    sigma: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Point {
+    from: &'static str,
+    x_m: f64,
+    y_m: f64,
+    z_m: f64,
+    range_m: f64,
+    sigma_x_m: Option<f64>,
+    sigma_y_m: Option<f64>,
+    sigma_z_m: Option<f64>,
+    sigma_range_m: Option<f64>,
+}
+
+/// The answer in JSON, beside which these warnings were given.
+pub(super) struct Json<'a> {
+    pub(super) warnings: &'a [Warning],
+}
+
+impl Exporter for Json<'_> {
+    type Error = serde_json::Error;
+
+    fn export(&self, &Results { assessment, .. }: &Results<'_>) -> Result<String, serde_json::Error> {
+        let solution = &assessment.solution;
+        let answer = Answer {
+            stereo: distance(solution, Method::Stereo),
+            monocular: distance(solution, Method::Monocular),
+            combined: solution.combined.map(|combined| Combined {
+                distance_m: combined.value.m(),
+                sigma_m: combined.sigma.m(),
+            }),
+            agreement: agreement(assessment),
+            solved: assessment.unknown.as_ref().and_then(solved),
+            point: assessment.geometry.point.map(|(origin, point)| of_point(origin, &point)),
+            estimated_width_px: solution.estimated_width_px.map(Pixels::px),
+            estimated_width_m: solution.estimated_width.map(Length::m),
+            warnings: self.warnings,
+        };
+        Ok(serde_json::to_string_pretty(&answer)? + "\n")
+    }
+}
+
+fn distance(solution: &Solution, method: Method) -> Option<Distance> {
+    let uncertainty = solution.uncertainty(method);
+    let interval = uncertainty.map(|uncertainty| uncertainty.interval);
+    Some(Distance {
+        distance_m: solution.outcome(method).distance()?.m(),
+        sigma_m: uncertainty.map(|uncertainty| uncertainty.sigma.m()),
+        near_m: interval.map(|interval| interval.near.m()),
+        far_m: interval.and_then(|interval| interval.far).map(Length::m),
+    })
+}
+
+/// σ, where there is one.
+fn sigma<Q: Quantity>(measured: Measured<Q>) -> Option<f64> {
+    Some(measured.sigma.to_base()).filter(|&sigma| sigma > 0.0)
+}
+
+fn agreement(assessment: &Assessment) -> Option<Agreement> {
+    let agreement = assessment.solution.comparison?.agreement?;
+    Some(Agreement {
+        z: agreement.z,
+        verdict: match agreement.verdict {
+            Verdict::Agree => "agree",
+            Verdict::Doubtful => "doubtful",
+            Verdict::Disagree => "disagree",
+        },
+        suspects: assessment
+            .suspects()
+            .iter()
+            .map(|suspect| in_sentence(&Statement::suspect(suspect).to_string()))
+            .collect(),
+    })
+}
+
+fn solved(unknown: &Unknown) -> Option<Solved> {
+    let found = unknown.outcome.as_ref().ok()?;
+    let key = Key::from(unknown.field);
+    Some(Solved {
+        field: name(key, Part::Value),
+        value: found.value,
+        unit: key.kind.base_unit()?.symbol(),
+        sigma: sigma(*found),
+    })
+}
+
+fn of_point(origin: PointOrigin, point: &PointSolution) -> Point {
+    // Beside others a σ of 0 is one: that of a row in the middle of the image.
+    let has_sigma = point.z.sigma.m() > 0.0 || point.range.sigma.m() > 0.0;
+    let sigma = |length: Measured<Length>| has_sigma.then(|| length.sigma.m());
+    Point {
+        from: match origin {
+            PointOrigin::Distance(Origin::Combined) => "combined",
+            PointOrigin::Distance(Origin::Method(Method::Stereo)) => "stereo",
+            PointOrigin::Distance(Origin::Method(Method::Monocular)) => "monocular",
+            PointOrigin::Range => "range",
+        },
+        x_m: point.x.value.m(),
+        y_m: point.y.value.m(),
+        z_m: point.z.value.m(),
+        range_m: point.range.value.m(),
+        sigma_x_m: sigma(point.x),
+        sigma_y_m: sigma(point.y),
+        sigma_z_m: sigma(point.z),
+        sigma_range_m: sigma(point.range),
+    }
 }

@@ -1,7 +1,7 @@
 //! The manual page: one for the whole program, because whoever types `man depth-calculator` wants to know its options.
 
 use super::arguments::{COMPLETIONS_HELP, Cli, NAME};
-use super::options;
+use super::help;
 use clap::{Command, CommandFactory};
 use clap_mangen::Man;
 use clap_mangen::roff::{Roff, bold, italic, roman};
@@ -30,10 +30,19 @@ pub(super) fn page() -> std::io::Result<String> {
     top.render_synopsis_section(&mut page)?;
     top.render_description_section(&mut page)?;
     commands(&root).to_writer(&mut page)?;
-    if let Some(calculate) = root.find_subcommand("calculate") {
-        Man::new(calculate.clone()).render_options_section(&mut page)?;
+    for (name, title, more) in [
+        ("calculate", "OPTIONS", help::CALCULATE),
+        ("ground", "OPTIONS OF GROUND", help::GROUND),
+        ("q", "OPTIONS OF Q", help::Q),
+    ] {
+        if let Some(command) = root.find_subcommand(name) {
+            let mut options = Vec::new();
+            Man::new(command.clone()).render_options_section(&mut options)?;
+            let options = String::from_utf8_lossy(&options).replacen(".SH OPTIONS", &format!(".SH \"{title}\""), 1);
+            page.extend_from_slice(options.as_bytes());
+        }
+        sections(more).to_writer(&mut page)?;
     }
-    sections(options::MORE_HELP).to_writer(&mut page)?;
     sections(&COMPLETIONS_HELP.replace("Examples:", "Completions:")).to_writer(&mut page)?;
     top.render_version_section(&mut page)?;
     let page = String::from_utf8_lossy(&page);

@@ -1,13 +1,16 @@
-//! Floor 4: the command line. The same `Inputs -> Problem -> Solution` as the screens, answered as text or JSON.
+//! The command line. The same `Inputs -> Problem -> Solution` as the screens, answered as text or JSON.
 
 mod arguments;
+mod ascii;
 mod calculate;
 mod completions;
-mod digits;
+mod ground;
+mod help;
 mod json;
 mod manual;
 mod options;
 mod parse;
+mod q;
 mod reply;
 mod text;
 mod warning;
@@ -72,6 +75,8 @@ fn say(refusal: &str, err: &mut dyn Write, status: ExitCode) -> ExitCode {
 fn answer(task: &Task) -> Result<Reply, String> {
     match task {
         Task::Calculate(calculate) => calculate.reply(),
+        Task::Ground(ground) => ground.reply(),
+        Task::Q(q) => q.reply(),
         Task::Completions { shell } => Ok(Reply::without_warnings(completions::script(*shell))),
         Task::Man => {
             let page = manual::page().map_err(|error| error.to_string());

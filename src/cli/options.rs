@@ -1,48 +1,23 @@
-//! The options of `calculate`, which are made from the table of fields.
+//! The options that fill in fields, which are made from the table of fields, and those that every answer has.
 
+use crate::core::problem::{Field, Method};
 use crate::core::quantity::LengthUnit;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueHint};
-use depth_text::field::{CommandOption, Key};
+use depth_text::entry::{Entries, Entry};
+use depth_text::field::{Key, Section};
 use depth_text::fields;
 use depth_text::note::Part;
-
-/// The lines are short enough for a manual page in 80 columns.
-pub(super) const MORE_HELP: &str = "\
-Formulas:
-  stereo     D = fx · b / (d + doffs)   needs --fx, --baseline, --disparity
-  monocular  D = w_real · fx / w_img    needs --fx, --w-img, --w-real
-
-Units:
-  A length may carry mm, cm, m, in or ft (100mm, 0.1m). Bare, --baseline is
-  in mm and --w-real in m. An uncertainty is one standard deviation: with a
-  unit, in percent (1%), or bare in the unit of its value. A raw value of
-  OpenCV's StereoBM or StereoSGBM is 16 times the disparity: divide it.
-
-Answer:
-  The first line starts with the distance; with both methods and their
-  uncertainties it is the two combined. Warnings go to standard error, or
-  with --json into \"warnings\".
-
-Examples:
-  depth-calculator calculate --fx 700 --baseline 100mm --disparity 50
-      a coffee mug, 1.400 m away
-  depth-calculator calculate --fx 950 --w-img 200 --w-real 0.9m --unit ft
-      a doorway, 14.03 ft away
-  depth-calculator calculate --fx 700 --baseline 100 --disparity 50 \\
-      --sigma-fx 2 --sigma-baseline 0.5mm --sigma-disparity 0.5 --json
-      how sure one can be of the mug, for a program to read
-
-Exit status:
-  0 with an answer, 2 with a one-line reason on standard error,
-  1 if the answer could not be written";
+use depth_text::sentences::CommandLine;
 
 const UNCERTAINTY: &str = "Uncertainty";
+const POINT: &str = "Point in space";
+const INVERSE: &str = "Another unknown";
 const OUTPUT: &str = "Output";
 
-/// What was given to `calculate`.
+/// What was typed into fields by options, and how to answer.
 #[derive(Debug)]
-pub(super) struct Calculate {
+pub(super) struct Typed {
     /// The texts of the options that fill in a field, in the order of the table.
     pub(super) typed: Vec<(Key, Part, String)>,
     /// Unit of every length in the answer.
@@ -51,13 +26,39 @@ pub(super) struct Calculate {
     pub(super) json: bool,
 }
 
-/// The fields that have an option.
-fn fields_with_option() -> impl Iterator<Item = (Key, CommandOption)> {
-    fields::TABLE.iter().filter_map(|&key| Some((key, key.option?)))
+/// What was given to `calculate`.
+#[derive(Debug)]
+pub(super) struct Calculate {
+    pub(super) fields: Typed,
+    /// What is solved for, where it is not the distance.
+    pub(super) solve_for: Option<Key>,
 }
 
-/// The options for the values, then those for their σ.
-fn field_options() -> Vec<(Key, Part, Arg)> {
+/// What was given to `ground`.
+#[derive(Debug)]
+pub(super) struct Ground {
+    pub(super) fields: Typed,
+}
+
+/// The fields that `calculate` has options for.
+fn calculate_fields() -> Vec<Key> {
+    let form = Key::form().filter(|key| key.section != Some(Section::Ground));
+    form.chain([fields::DISTANCE]).filter(|key| key.option.is_some()).collect()
+}
+
+/// The fields that `ground` has options for.
+fn ground_fields() -> Vec<Key> {
+    let camera = [fields::FOCAL_LENGTH, fields::FY, fields::CX, fields::CY].into_iter();
+    camera.chain(Section::Ground.keys()).filter(|key| key.option.is_some()).collect()
+}
+
+/// The inputs of which one can be solved for.
+pub(super) fn unknowns() -> impl Iterator<Item = Key> {
+    Field::ALL.into_iter().filter(|&field| field != Field::Tilt).map(Key::from)
+}
+
+/// The options of `keys` for the values, then those for their σ.
+fn field_options(keys: &[Key]) -> Vec<(Key, Part, Arg)> {
     let option = |name: String, value: String, help| {
         Arg::new(name.clone())
             .long(name)
@@ -65,11 +66,18 @@ fn field_options() -> Vec<(Key, Part, Arg)> {
             .value_hint(ValueHint::Other)
             .help(help)
     };
-    let values = fields_with_option().map(|(key, field)| {
+    let with_option = keys.iter().filter_map(|&key| Some((key, key.option?)));
+    let values = with_option.clone().map(|(key, field)| {
         let placeholder = key.kind.placeholder().to_owned();
-        (key, Part::Value, option(name(key, Part::Value), placeholder, field.help))
+        let value = option(name(key, Part::Value), placeholder, field.help);
+        let value = match key.section {
+            Some(Section::Point) => value.help_heading(POINT),
+            None => value.help_heading(INVERSE),
+            _ => value,
+        };
+        (key, Part::Value, value)
     });
-    let sigmas = fields_with_option().filter(|(key, _)| key.has_sigma).map(|(key, field)| {
+    let sigmas = with_option.filter(|(key, _)| key.has_sigma).map(|(key, field)| {
         let placeholder = format!("{}|%", key.kind.placeholder());
         let sigma = option(name(key, Part::Sigma), placeholder, field.sigma_help);
         (key, Part::Sigma, sigma.help_heading(UNCERTAINTY))
@@ -86,22 +94,62 @@ pub(super) fn name(key: Key, part: Part) -> String {
     }
 }
 
+impl Typed {
+    fn options(keys: &[Key]) -> impl Iterator<Item = Arg> {
+        let fields = field_options(keys).into_iter().map(|(_, _, option)| option);
+        fields.chain([unit_option(), json_option()])
+    }
+
+    fn from(matches: &ArgMatches, keys: &[Key]) -> Self {
+        let typed = |(key, part, option): (Key, Part, Arg)| {
+            let text = matches.get_one::<String>(option.get_id().as_str())?;
+            Some((key, part, text.clone()))
+        };
+        Self {
+            typed: field_options(keys).into_iter().filter_map(typed).collect(),
+            unit: matches.get_one::<LengthUnit>("unit").copied().unwrap_or(LengthUnit::Meter),
+            json: matches.get_flag("json"),
+        }
+    }
+
+    /// Whether the option for the value of `key` or for its σ was given.
+    pub(super) fn is_given(&self, key: impl Into<Key>, part: Part) -> bool {
+        let key = key.into();
+        self.typed.iter().any(|typed| (typed.0, typed.1) == (key, part))
+    }
+
+    /// What the fields have in them.
+    pub(super) fn entries(&self) -> Entries {
+        let mut entries = Entries::default();
+        for (key, part, text) in &self.typed {
+            match part {
+                Part::Value => entries.fill(*key, Entry::new(text, None)),
+                Part::Sigma => entries.entry_mut(*key).sigma.clone_from(text),
+            }
+        }
+        entries
+    }
+
+    /// Refuses an empty value: it is a variable of a script that was not set, not an input that was left out.
+    pub(super) fn refuse_empty(&self) -> Result<(), String> {
+        let empty = |(_, _, text): &&(Key, Part, String)| text.trim().is_empty();
+        // Field by field, as they are asked for.
+        match self.typed.iter().filter(empty).min_by_key(|(key, part, _)| (*key, *part)) {
+            Some((key, part, _)) => Err(CommandLine::EmptyOption { option: name(*key, *part) }.to_string()),
+            None => Ok(()),
+        }
+    }
+}
+
 impl Args for Calculate {
     fn augment_args(command: Command) -> Command {
-        let unit = Arg::new("unit")
-            .long("unit")
-            .default_value(LengthUnit::Meter.symbol())
-            .value_name("UNIT")
-            .value_parser(unit_parser())
-            .help("Unit of every length in the answer; JSON stays in meters")
-            .help_heading(OUTPUT);
-        let json = Arg::new("json")
-            .long("json")
-            .action(ArgAction::SetTrue)
-            .help("Answer in JSON: lengths in meters, null for what is unknown or unbounded")
-            .help_heading(OUTPUT);
-        let fields = field_options().into_iter().map(|(_, _, option)| option);
-        command.args(fields.chain([unit, json]))
+        let solve_for = Arg::new("solve-for")
+            .long("solve-for")
+            .value_name("FIELD")
+            .value_parser(unknown_parser())
+            .help("Solve for this input instead of the distance, which --distance then gives")
+            .help_heading(INVERSE);
+        command.args(Typed::options(&calculate_fields())).arg(solve_for)
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -111,14 +159,9 @@ impl Args for Calculate {
 
 impl FromArgMatches for Calculate {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let typed = |(key, part, option): (Key, Part, Arg)| {
-            let text = matches.get_one::<String>(option.get_id().as_str())?;
-            Some((key, part, text.clone()))
-        };
         Ok(Self {
-            typed: field_options().into_iter().filter_map(typed).collect(),
-            unit: matches.get_one::<LengthUnit>("unit").copied().unwrap_or(LengthUnit::Meter),
-            json: matches.get_flag("json"),
+            fields: Typed::from(matches, &calculate_fields()),
+            solve_for: matches.get_one::<Key>("solve-for").copied(),
         })
     }
 
@@ -128,9 +171,70 @@ impl FromArgMatches for Calculate {
     }
 }
 
-fn unit_parser() -> impl TypedValueParser<Value = LengthUnit> {
+impl Args for Ground {
+    fn augment_args(command: Command) -> Command {
+        command.args(Typed::options(&ground_fields()))
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for Ground {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        Ok(Self {
+            fields: Typed::from(matches, &ground_fields()),
+        })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+fn unit_option() -> Arg {
+    Arg::new("unit")
+        .long("unit")
+        .default_value(LengthUnit::Meter.symbol())
+        .value_name("UNIT")
+        .value_parser(unit_parser())
+        .help("Unit of every length in the answer; JSON stays in meters")
+        .help_heading(OUTPUT)
+}
+
+fn json_option() -> Arg {
+    Arg::new("json")
+        .long("json")
+        .action(ArgAction::SetTrue)
+        .help("Answer in JSON: lengths in meters, null for what is unknown or unbounded")
+        .help_heading(OUTPUT)
+}
+
+/// Reads the symbol of a unit of length.
+pub(super) fn unit_parser() -> impl TypedValueParser<Value = LengthUnit> {
     PossibleValuesParser::new(LengthUnit::ALL.map(LengthUnit::symbol)).try_map(|symbol| {
         let unit = LengthUnit::ALL.into_iter().find(|unit| unit.symbol() == symbol);
         unit.ok_or("not a unit of length")
+    })
+}
+
+fn unknown_parser() -> impl TypedValueParser<Value = Key> {
+    let names: Vec<&str> = unknowns().filter_map(|key| Some(key.option?.name)).collect();
+    PossibleValuesParser::new(names).try_map(|name| {
+        let unknown = unknowns().find(|key| key.option.is_some_and(|option| option.name == name));
+        unknown.ok_or("not an input")
+    })
+}
+
+/// The equation to solve for `key`; `None` for the focal length, which both have.
+pub(super) fn method_of(key: Key) -> Option<Method> {
+    Method::ALL.into_iter().find(|method| {
+        method
+            .own_fields()
+            .into_iter()
+            .chain([method.optional_field()])
+            .any(|field| key == field)
     })
 }

@@ -1,6 +1,6 @@
 //! What is said about an option without refusing it.
 
-use super::digits::in_sentence;
+use super::ascii::in_sentence;
 use super::options::name;
 use depth_text::field::Key;
 use depth_text::note::{Note, Part};
@@ -10,15 +10,22 @@ use std::fmt::{self, Display, Formatter};
 /// What is to be said about an option without refusing it.
 #[derive(Serialize)]
 pub(super) struct Warning {
-    /// The option without its dashes.
-    pub(super) field: String,
+    /// The option without its dashes; none where it is about the results.
+    pub(super) field: Option<String>,
     pub(super) message: String,
 }
 
 impl Warning {
     pub(super) fn new(key: Key, part: Part, sentence: &impl ToString) -> Self {
         Self {
-            field: name(key, part),
+            field: Some(name(key, part)),
+            message: in_sentence(&sentence.to_string()),
+        }
+    }
+
+    pub(super) fn of_results(sentence: &impl ToString) -> Self {
+        Self {
+            field: None,
             message: in_sentence(&sentence.to_string()),
         }
     }
@@ -30,6 +37,9 @@ impl Warning {
 
 impl Display for Warning {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "--{}: {}", self.field, self.message)
+        match &self.field {
+            Some(field) => write!(f, "--{field}: {}", self.message),
+            None => f.write_str(&self.message),
+        }
     }
 }

@@ -86,7 +86,7 @@ async function violations(page) {
   await page.run(`if (!globalThis.axe) { ${AXE} }`);
   const [outcome, failure] = await page.driver.executeAsyncScript(
     `const [mirror, done] = arguments;
-    // What the mirror says is painted on the canvas, and the contrast of that is tested where the colours are chosen;
+    // What the mirror says is painted on the canvas, and the contrast of that is tested where the colors are chosen;
     // the mirror itself is a thousandth opaque.
     (async () => {
       const all = await axe.run(document, { resultTypes: ['violations'], rules: { 'color-contrast': { enabled: false } } });
@@ -136,7 +136,7 @@ for (const [name, reach] of Object.entries(SCREENS)) {
   });
 }
 
-/** The pages that are not drawn by the program: their colours follow the system. */
+/** The pages that are not drawn by the program: their colors follow the system. */
 const PAGES = {
   'the page that says why the program cannot run': async (page) => {
     bench.server.state.programs = 'missing';
@@ -291,13 +291,13 @@ it('the field that is typed into stays in sight when the keyboard of a phone tak
   }
 });
 
-it('colours that somebody has chosen for everything are those of the program', { needs: ['choose the colors'] }, async (test) => {
+it('colors that somebody has chosen for everything are those of the program', { needs: ['choose the colors'] }, async (test) => {
   const page = await bench.page(test);
   await page.start();
   await choose(page, 'Dark');
   await until('the dark program', async () => background(await page.screenshot()).lightness < 128);
-  await page.engine.chooseColours(page.driver);
+  await page.engine.chooseColors(page.driver);
   const canvas = await page.run("document.body.style.cssText = 'forced-color-adjust:none;color:Canvas'; return getComputedStyle(document.body).color");
   const [red, green, blue] = canvas.match(/\d+/g).map(Number);
-  await until(`a background of ${canvas}`, async () => background(await page.screenshot()).colour === red * 65536 + green * 256 + blue);
+  await until(`a background of ${canvas}`, async () => background(await page.screenshot()).color === red * 65536 + green * 256 + blue);
 });

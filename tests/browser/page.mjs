@@ -62,16 +62,16 @@ export async function until(what, look) {
   }
 }
 
-/** The most frequent colour of a picture (0xrrggbb), the part of the picture that has it, and its lightness, 0 to 255. */
+/** The most frequent color of a picture (0xrrggbb), the part of the picture that has it, and its lightness, 0 to 255. */
 export function background(png) {
   const { data } = PNG.sync.read(png);
   const counts = new Map();
   for (let at = 0; at < data.length; at += 4) {
-    const colour = data.readUIntBE(at, 3);
-    counts.set(colour, (counts.get(colour) ?? 0) + 1);
+    const color = data.readUIntBE(at, 3);
+    counts.set(color, (counts.get(color) ?? 0) + 1);
   }
-  const [colour, count] = [...counts].reduce((most, next) => (next[1] > most[1] ? next : most));
-  return { colour, share: count / (data.length / 4), lightness: (((colour >> 16) & 255) + ((colour >> 8) & 255) + (colour & 255)) / 3 };
+  const [color, count] = [...counts].reduce((most, next) => (next[1] > most[1] ? next : most));
+  return { color, share: count / (data.length / 4), lightness: (((color >> 16) & 255) + ((color >> 8) & 255) + (color & 255)) / 3 };
 }
 
 export class Page {

@@ -70,7 +70,7 @@ for (const { device, scale, sizes } of DEVICES) {
           const file = `${name}-${size.width}-${dark ? 'dark' : 'light'}.png`;
           await writeFile(path.join(FOLDER, file), png);
           const { share } = background(png);
-          assert.ok(share < 0.985, `${file} is nearly of one colour (${(100 * share).toFixed(1)} %)`);
+          assert.ok(share < 0.985, `${file} is nearly of one color (${(100 * share).toFixed(1)} %)`);
         }
       }
       assert.equal(await page.run('return arguments[0].width / innerWidth', await page.canvas()), scale, 'device pixels drawn');

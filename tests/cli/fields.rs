@@ -79,7 +79,7 @@ fn every_field_of_the_form_is_in_its_assessment_its_link_and_its_report() {
     let inputs = form();
     let assessment = inputs.assess();
     let fragment = link::fragment(&inputs, &assessment);
-    let report = Text.export(&Results {
+    let Ok(report) = Text.export(&Results {
         inputs: &inputs,
         assessment: &assessment,
         unit: LengthUnit::Meter,

@@ -1,6 +1,6 @@
 //! A machine for the program to run on.
 
-use depth_calculator::app::{Event, Licenses, Platform};
+use depth_calculator::app::{Event, Licenses, Place, Platform, PlatformError};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
@@ -12,7 +12,7 @@ pub struct Machine {
     pub set_aside: Rc<RefCell<Vec<String>>>,
     pub is_full: Rc<Cell<bool>>,
     pub clipboard: Rc<RefCell<Option<String>>>,
-    pub copied: Rc<RefCell<Option<Result<(), String>>>>,
+    pub copied: Rc<RefCell<Option<Result<(), PlatformError>>>>,
     pub link: Rc<RefCell<Option<String>>>,
     pub broken: bool,
     pub commit: Option<&'static str>,
@@ -20,34 +20,35 @@ pub struct Machine {
 }
 
 impl Platform for Machine {
-    fn load(&self) -> Result<Option<String>, String> {
+    fn load(&self) -> Result<Option<String>, PlatformError> {
         if self.broken {
-            Err("Storage is switched off.".into())
+            Err(PlatformError::NoStorage)
         } else {
             Ok(self.stored.borrow().clone())
         }
     }
-    fn save(&mut self, text: &str) -> Result<(), String> {
+    fn save(&mut self, text: &str) -> Result<(), PlatformError> {
         if self.broken {
-            return Err("Storage is switched off.".into());
+            return Err(PlatformError::NoStorage);
         }
         *self.stored.borrow_mut() = Some(text.to_owned());
         Ok(())
     }
-    fn set_aside(&mut self) -> Result<Option<String>, String> {
-        if self.broken || self.is_full.get() {
-            return Err("Storage is full.".into());
+    fn set_aside(&mut self) -> Result<Option<Place>, PlatformError> {
+        if self.broken {
+            return Err(PlatformError::NoStorage);
+        }
+        if self.is_full.get() {
+            return Err(PlatformError::NotSetAside {
+                reason: "Storage is full.".into(),
+            });
         }
         self.set_aside.borrow_mut().extend(self.stored.take());
-        Ok(Some("on the shelf".to_owned()))
+        Ok(Some(Place::File("shelf.json".into())))
     }
     fn copy(&mut self, ctx: &egui::Context, text: String) {
         *self.clipboard.borrow_mut() = Some(text);
-        *self.copied.borrow_mut() = Some(if self.broken {
-            Err("The clipboard was refused.".into())
-        } else {
-            Ok(())
-        });
+        *self.copied.borrow_mut() = Some(if self.broken { Err(PlatformError::NoClipboard) } else { Ok(()) });
         ctx.request_repaint();
     }
     fn commit(&self) -> Option<String> {

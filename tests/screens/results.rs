@@ -64,11 +64,11 @@ fn a_refused_clipboard_and_a_blocked_storage_are_said() {
         },
         DESKTOP,
     );
-    assert!(program.says("Storage is switched off."));
+    assert!(program.says("This browser has no storage for pages. The program works, but forgets"));
     program.mug();
     assert!(program.says("1.400 m"));
     program.press("Copy Results");
-    assert!(program.says("The clipboard was refused."));
+    assert!(program.says("copies only from pages that arrive over https"));
 }
 
 #[test]

@@ -45,7 +45,7 @@ fn a_state_that_cannot_be_read_is_set_aside_and_its_place_is_named() {
     let machine = Machine::default();
     *machine.stored.borrow_mut() = Some("{\"version\":999}".into());
     let mut program = Program::on(machine.clone(), DESKTOP);
-    assert!(program.says("starts fresh. The old text is kept on the shelf."));
+    assert!(program.says("starts fresh. The old text is kept in the file shelf.json."));
     program.mug();
     assert_eq!(*machine.set_aside.borrow(), ["{\"version\":999}"]);
     assert!(machine.stored.borrow().as_deref().unwrap().contains("700"));
@@ -57,13 +57,13 @@ fn a_state_that_cannot_be_set_aside_is_not_overwritten_either() {
     *machine.stored.borrow_mut() = Some("{\"version\":999}".into());
     machine.is_full.set(true);
     let mut program = Program::on(machine.clone(), DESKTOP);
-    assert!(program.says("starts fresh. Storage is full. The program works, but forgets"));
+    assert!(program.says("starts fresh. This browser could not set it aside: Storage is full. The program works, but forgets"));
     program.mug();
     assert_eq!(machine.stored.borrow().as_deref(), Some("{\"version\":999}"));
 
     machine.is_full.set(false);
     program.type_into(D, "100");
-    assert!(program.says("The old text is kept on the shelf."));
+    assert!(program.says("The old text is kept in the file shelf.json."));
     assert_eq!(*machine.set_aside.borrow(), ["{\"version\":999}"]);
     assert!(machine.stored.borrow().as_deref().unwrap().contains("700"));
 }

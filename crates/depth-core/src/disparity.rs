@@ -82,7 +82,17 @@ impl Encoding {
             Self::Pixels => stored,
             Self::Zed => 0.0 - stored,
             Self::FractionOfWidth { image_width } => stored * image_width.px(),
-            Self::OpenCv { min_disparity } => fixed_point(stored, SIGNED, (f64::from(min_disparity) - 1.0) * 16.0, 16.0)?,
+            Self::OpenCv { min_disparity } => {
+                let invalid = f64::from(min_disparity) - 1.0;
+                let pixels = fixed_point(stored, SIGNED, invalid * 16.0, 16.0)?;
+                // The mark of another minDisparity, or one that was divided by 16 already: a matcher stores nothing between its
+                // mark and minDisparity.
+                let is_mark = is_no_match(pixels) || stored == invalid;
+                if is_mark && pixels < f64::from(min_disparity) {
+                    return Err(NoDisparity::Invalid);
+                }
+                pixels
+            }
             Self::Kitti => fixed_point(stored, UNSIGNED, 0.0, 256.0)?,
             Self::DepthAi(bits) => fixed_point(stored, UNSIGNED, 0.0, bits.scale())?,
         };
@@ -92,6 +102,24 @@ impl Encoding {
             Err(NoDisparity::OutOfRange)
         }
     }
+}
+
+/// Whether `pixels` is how OpenCV's StereoBM and StereoSGBM mark a pixel for which they found nothing: (m − 1)·16 as stored,
+/// or m − 1 after the division by 16, for a minDisparity m of 0, −16, −32 and so on.
+///
+/// ```
+/// use depth_core::disparity::is_no_match;
+///
+/// assert!([-16.0, -1.0, -272.0, -17.0].into_iter().all(is_no_match));
+/// assert!(![-10.0, 0.0, 16.0].into_iter().any(is_no_match));
+/// ```
+///
+/// Source: OpenCV, `StereoMatcher::compute`, as measured with OpenCV 4.14 and 5.0; minDisparity is zero in most programs, and
+/// where it is negative a multiple of 16 like numDisparities.
+pub fn is_no_match(pixels: f64) -> bool {
+    // A 16-bit number stores no lower one.
+    let is = |pixels: f64| (-2049.0..0.0).contains(&pixels) && (pixels + 1.0) % 16.0 == 0.0;
+    is(pixels) || is(pixels / 16.0)
 }
 
 impl SubpixelBits {
@@ -154,31 +182,4 @@ pub fn from_columns(x_left: Measured<Pixels>, x_right: Measured<Pixels>) -> Meas
 /// Source: Middlebury 2014 calibration format, `doffs`.
 pub fn doffs(cx_left: Measured<Pixels>, cx_right: Measured<Pixels>) -> Measured<Pixels> {
     from_columns(cx_right, cx_left)
-}
-
-/// A standard deviation that somebody states for the disparities of a matcher.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MatchingError {
-    /// One standard deviation.
-    pub sigma: Pixels,
-    /// Who states it, and of what.
-    pub source: &'static str,
-}
-
-/// Matching errors that people state, smallest first, to choose a σ of the disparity from.
-pub const MATCHING_ERRORS: [MatchingError; 7] = [
-    matching_error(0.08, "RealSense on good texture (librealsense #3904)"),
-    matching_error(0.15, "Point Grey, by mask size 0.10 to 0.18"),
-    matching_error(0.2, "Point Grey (knowledge base 10102)"),
-    matching_error(0.25, "common (Carnegie Robotics)"),
-    matching_error(0.4, "mrcal, 0.3 to 0.5"),
-    matching_error(0.5, "limit (Carnegie Robotics)"),
-    matching_error(1.3, "mrcal with a poor lens model"),
-];
-
-const fn matching_error(sigma_px: f64, source: &'static str) -> MatchingError {
-    MatchingError {
-        sigma: Pixels::new(sigma_px),
-        source,
-    }
 }

@@ -1,6 +1,7 @@
 //! [`Field`]: the inputs of a distance.
 
 use crate::quantity::{Length, LengthUnit};
+use std::f64::consts::FRAC_PI_2;
 
 /// An input of a distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -18,31 +19,23 @@ pub enum Field {
     ImageWidth,
     /// w_real, a length
     RealWidth,
+    /// φ, an angle: by how much the object is turned away from facing the camera
+    Tilt,
 }
 
 impl Field {
     /// Every field, in reading order.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::FocalLength,
         Self::Baseline,
         Self::Disparity,
         Self::Doffs,
         Self::ImageWidth,
         Self::RealWidth,
+        Self::Tilt,
     ];
 
-    /// Whether the field is a length (with a choice of unit) rather than a number of pixels.
-    ///
-    /// ```
-    /// use depth_core::field::Field;
-    ///
-    /// assert!(Field::Baseline.is_length() && !Field::Disparity.is_length());
-    /// ```
-    pub const fn is_length(self) -> bool {
-        matches!(self, Self::Baseline | Self::RealWidth)
-    }
-
-    /// The range outside which a value deserves a warning, in px or meters.
+    /// The range outside which a value deserves a warning, in px, meters or radians.
     ///
     /// Wide on purpose: the presets of real cameras lie far inside; a value outside is nearly always a slip of the unit.
     ///
@@ -54,17 +47,19 @@ impl Field {
     /// ```
     pub const fn usual_range(self) -> (f64, f64) {
         match self {
-            Self::FocalLength => (50.0, 20_000.0),
+            // A telephoto lens on a small sensor reaches 100 000 px; below 10 px it is a multiple of the image's width.
+            Self::FocalLength => (50.0, 100_000.0),
             Self::Baseline => (0.005, 5.0),
             // The disparity is judged together with doffs, as it enters the formula.
             Self::Disparity => (0.5, 1000.0),
             Self::Doffs => (-1000.0, 1000.0),
             Self::ImageWidth => (5.0, 5000.0),
             Self::RealWidth => (0.005, 50.0),
+            Self::Tilt => (-FRAC_PI_2, FRAC_PI_2),
         }
     }
 
-    /// Whether `value` (px or meters) lies in the [usual range](Self::usual_range), its ends included.
+    /// Whether `value` (px, meters or radians) lies in the [usual range](Self::usual_range), its ends included.
     ///
     /// ```
     /// use depth_core::field::Field;
@@ -78,7 +73,7 @@ impl Field {
     }
 }
 
-/// The first unit in which `typed` would be a usual value of `field`, if it is not one in the unit it was typed in.
+/// The first unit in which `typed` would be a usual value of `field`, a length, if it is not one in the unit it was typed in.
 ///
 /// ```
 /// use depth_core::field::{Field, better_unit};
@@ -96,7 +91,7 @@ pub fn better_unit(field: Field, typed: f64, unit: LengthUnit) -> Option<LengthU
         LengthUnit::Foot,
     ];
     let usual = |unit| field.is_usual(Length::new(typed, unit).m());
-    if !field.is_length() || usual(unit) {
+    if usual(unit) {
         return None;
     }
     LIKELIEST_FIRST.into_iter().find(|&candidate| usual(candidate))

@@ -1,6 +1,5 @@
 //! Whether a number can be used, and if not, why. The one place that decides it, and the one error of this crate.
 
-use crate::angle::Angle;
 use crate::field::Field;
 use crate::measured::Measured;
 use crate::quantity::{Pixels, Quantity};
@@ -21,10 +20,12 @@ pub enum Term {
     PrincipalPoint,
     /// The height of the camera above the floor.
     CameraHeight,
+    /// The height of the target above the floor.
+    TargetHeight,
     /// How far the camera looks down.
     Pitch,
-    /// The angle by which a target is turned away from facing the camera.
-    Tilt,
+    /// How far a ray points below the optical axis.
+    BelowAxis,
 }
 
 /// Why a value cannot be used.
@@ -38,6 +39,8 @@ pub enum Refusal {
     Negative,
     /// Infinite or subnormal, by itself or in the distance that would follow.
     TooExtreme,
+    /// An angle of 90° or more: a target turned so far shows no width.
+    TurnedAway,
 }
 
 /// Why a distance, or another unknown, cannot be computed.
@@ -57,20 +60,12 @@ pub enum Unsolvable {
     },
     /// Exactly one term of an equation must be absent.
     NotOneUnknown,
-    /// The row is the horizon's or above it: its ray never meets the floor.
-    AboveHorizon {
-        /// The row of the horizon; `None` where the camera looks straight up or backwards.
+    /// The ray of a pixel never meets the level plane that the target stands on.
+    MissesPlane {
+        /// The row of the horizon; `None` where the camera looks straight up or down.
         horizon: Option<Pixels>,
-    },
-    /// The ray goes straight down or backwards.
-    BelowCamera {
-        /// How far the ray points down from the horizontal.
-        down: Angle,
-    },
-    /// A target turned by 90° or more shows no width.
-    TurnedAway {
-        /// By how much it is turned.
-        tilt: Angle,
+        /// Whether it would with the opposite pitch: of two ways to count it, the other one was meant.
+        meets_with_opposite_pitch: bool,
     },
 }
 
@@ -90,8 +85,7 @@ impl Unsolvable {
         match self {
             Self::Value { term, .. } | Self::Sigma { term } => Some(term),
             Self::NotOneUnknown => None,
-            Self::AboveHorizon { .. } | Self::BelowCamera { .. } => Some(Term::Row),
-            Self::TurnedAway { .. } => Some(Term::Tilt),
+            Self::MissesPlane { .. } => Some(Term::Row),
         }
     }
 

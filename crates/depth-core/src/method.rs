@@ -44,31 +44,17 @@ impl Method {
         }
     }
 
-    /// "Stereo" or "Monocular".
+    /// The input that may be left out: doffs, or the tilt of the object.
     ///
     /// ```
-    /// use depth_core::problem::Method;
+    /// use depth_core::problem::{Field, Method};
     ///
-    /// assert_eq!(Method::Stereo.name(), "Stereo");
+    /// assert_eq!(Method::Stereo.optional_field(), Field::Doffs);
     /// ```
-    pub const fn name(self) -> &'static str {
+    pub const fn optional_field(self) -> Field {
         match self {
-            Self::Stereo => "Stereo",
-            Self::Monocular => "Monocular",
-        }
-    }
-
-    /// The formula with its symbols.
-    ///
-    /// ```
-    /// use depth_core::problem::Method;
-    ///
-    /// assert_eq!(Method::Stereo.formula(), "D = fx · b / d");
-    /// ```
-    pub const fn formula(self) -> &'static str {
-        match self {
-            Self::Stereo => "D = fx · b / d",
-            Self::Monocular => "D = w_real · fx / w_img",
+            Self::Stereo => Field::Doffs,
+            Self::Monocular => Field::Tilt,
         }
     }
 }

@@ -26,9 +26,9 @@ pub struct WrongEntry {
     pub row: usize,
     /// 0 to 3
     pub column: usize,
-    /// What stands there.
+    /// The value of the entry.
     pub found: f64,
-    /// What should stand there.
+    /// What the entry of a Q matrix must be.
     pub expected: Expected,
 }
 
@@ -107,6 +107,28 @@ pub fn read(q: &[[f64; 4]; 4]) -> Result<StereoGeometry, WrongEntry> {
         cy: Pixels::new(0.0 - minus_cy),
         swapped: w_per_d < 0.0,
     })
+}
+
+/// The Q matrix that `stereoRectify` makes for `geometry`: the inverse of [`read`]. `None` where a number cannot stand in it.
+///
+/// ```
+/// use depth_core::q_matrix::{of, read};
+///
+/// let q = [[1.0, 0.0, 0.0, -610.0], [0.0, 1.0, 0.0, -350.0], [0.0, 0.0, 0.0, 700.0], [0.0, 0.0, 0.01, 0.4]];
+/// assert_eq!(of(&read(&q).unwrap()), Some(q));
+/// ```
+///
+/// Source: OpenCV, `stereoRectify`.
+pub fn of(geometry: &StereoGeometry) -> Option<[[f64; 4]; 4]> {
+    let sign = if geometry.swapped { -1.0 } else { 1.0 };
+    let w_per_d = sign / geometry.baseline;
+    let matrix = [
+        [1.0, 0.0, 0.0, 0.0 - geometry.cx.px()],
+        [0.0, 1.0, 0.0, 0.0 - geometry.cy.px()],
+        [0.0, 0.0, 0.0, geometry.focal_length.px()],
+        [0.0, 0.0, w_per_d, geometry.doffs.px() * w_per_d],
+    ];
+    read(&matrix).is_ok().then_some(matrix)
 }
 
 impl Expected {

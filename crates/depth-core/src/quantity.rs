@@ -185,21 +185,4 @@ impl LengthUnit {
             Self::Foot => "ft",
         }
     }
-
-    /// The unit's name in the plural, as read aloud.
-    ///
-    /// ```
-    /// use depth_core::quantity::LengthUnit;
-    ///
-    /// assert_eq!(LengthUnit::Foot.name(), "feet");
-    /// ```
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Millimeter => "millimeters",
-            Self::Centimeter => "centimeters",
-            Self::Meter => "meters",
-            Self::Inch => "inches",
-            Self::Foot => "feet",
-        }
-    }
 }

@@ -1,15 +1,16 @@
 //! Two distances together: golden figures, the table of special cases, simulated errors, and each typical blunder.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
-use depth_core::agreement::{Suspect, Verdict, combine, compare, suspects};
+mod common;
+
+use common::{NO_DOFFS, assert_near};
+use depth_core::agreement::{Comparison, Suspect, Verdict, combine, suspects};
 use depth_core::field::Field;
 use depth_core::measured::Measured;
 use depth_core::quantity::{Length, LengthUnit, Pixels, Quantity};
 use depth_core::uncertainty::Model;
 use depth_generators::{any_magnitude, any_relative_sigma};
 use proptest::prelude::*;
-
-const NO_DOFFS: Measured<Pixels> = Measured::exact(Pixels::new(0.0));
 
 fn stereo(f: Measured<Pixels>, b: Measured<Length>, d: Measured<Pixels>) -> Model {
     Model::stereo(f, b, d, NO_DOFFS).unwrap()
@@ -34,10 +35,6 @@ fn pair(z: [f64; 2], r: [f64; 2], rf: f64) -> (Model, Model) {
     )
 }
 
-fn assert_near(value: f64, expected: f64, tolerance: f64) {
-    assert!((value - expected).abs() <= tolerance, "{value} is not {expected} ± {tolerance}");
-}
-
 #[test]
 fn the_two_distances_of_the_mug_together_are_1400_mm_give_or_take_15() {
     let combined = combine(&stereo(F, B, D), &monocular(F, W, P)).unwrap();
@@ -48,11 +45,11 @@ fn the_two_distances_of_the_mug_together_are_1400_mm_give_or_take_15() {
 #[test]
 fn the_combination_stays_between_where_the_optimal_weights_do_not() {
     // Peelle's puzzle: with the covariance in the weights these two give 1.315.
-    let (first, second) = pair([1.4, 1.7], [0.01, 0.03], 0.05);
+    let (first, second) = pair([1.4, 1.7], [0.1, 0.3], 0.5);
     let combined = combine(&first, &second).unwrap();
     // By hand: weights 0.9 and 0.1 of the logarithms.
     assert_near(combined.value.m(), 1.4_f64.powf(0.9) * 1.7_f64.powf(0.1), 1e-12);
-    assert_near(combined.relative(), (0.00009_f64 + 0.0025).sqrt(), 1e-12);
+    assert_near(combined.relative(), (0.009_f64 + 0.25).sqrt(), 1e-12);
 }
 
 #[test]
@@ -64,9 +61,40 @@ fn a_distance_without_uncertainty_of_its_own_wins_and_two_such_cannot_be_weighed
     assert_eq!(combine(&first, &second), Some(Measured::from_base(1.7, 0.0)));
     let (first, second) = pair([1.4, 1.7], [0.0, 0.0], 0.05);
     assert_eq!(combine(&first, &second), None);
-    let agreement = compare(&first, &second);
-    assert_eq!((agreement.z, agreement.verdict), (None, None));
-    assert_near(agreement.ratio.unwrap(), 14.0 / 17.0, 1e-15);
+    let comparison = Comparison::of(&first, &second);
+    assert_eq!(comparison.agreement, None);
+    assert_near(comparison.ratio.unwrap(), 14.0 / 17.0, 1e-15);
+}
+
+/// By hand: r 3 % and 4 % make a z of ln(Z₁/Z₂)/5 % and, combined, 2.4 %, times z where that is above 1.
+#[test]
+fn what_differs_by_more_than_its_sigma_has_a_larger_one_and_beyond_three_there_is_nothing_to_combine() {
+    for (z, widened) in [(0.5, 1.0), (1.0, 1.0), (1.5, 1.5), (2.5, 2.5), (2.999, 2.999)] {
+        let (first, second) = pair([(0.05_f64 * z).exp(), 1.0], [0.03, 0.04], 0.1);
+        let combined = combine(&first, &second).unwrap();
+        let expected = ((0.024 * widened) * (0.024 * widened) + 0.01_f64).sqrt();
+        assert_near(combined.relative(), expected, 1e-9);
+        // The weights stay: 0.64 and 0.36 of the logarithms.
+        assert_near(combined.value.m(), (0.05 * z * 0.64).exp(), 1e-12);
+    }
+    let (first, second) = pair([(0.05_f64 * 3.001).exp(), 1.0], [0.03, 0.04], 0.1);
+    assert_eq!(combine(&first, &second), None);
+}
+
+#[test]
+fn distances_that_contradict_each_other_are_not_combined_whatever_has_a_sigma() {
+    for r in [[0.005, 0.007], [0.0, 0.3], [0.3, 0.0], [0.0, 0.0]] {
+        let (first, second) = pair([1.4, 14.0], r, 0.05);
+        assert_eq!(combine(&first, &second), None, "{r:?}");
+        assert!(Comparison::of(&first, &second).contradict(), "{r:?}");
+        let blunders = suspects(&first, &second);
+        assert!(
+            blunders.iter().any(|suspect| matches!(suspect, Suspect::Unit { .. })),
+            "{r:?}: {blunders:?}"
+        );
+    }
+    let (first, second) = pair([1.4, 1.5], [0.0, 0.0], 0.05);
+    assert!(!Comparison::of(&first, &second).contradict());
 }
 
 /// Standard normal numbers for the simulation: Box–Muller on a generator of its own, so that nothing is shared with what
@@ -89,7 +117,7 @@ fn the_combined_sigma_is_that_of_simulated_measurements() {
     let mut measure = |quantity: Measured<f64>| quantity.value + quantity.sigma * normal();
     let claimed = combine(&stereo(F, B, D), &monocular(F, W, P)).unwrap().relative();
     let logs: Vec<f64> = (0..n)
-        .map(|_| {
+        .filter_map(|_| {
             let f = Measured::from_base(measure(F.to_base()), F.sigma.px());
             let first = stereo(
                 f,
@@ -101,9 +129,11 @@ fn the_combined_sigma_is_that_of_simulated_measurements() {
                 Measured::from_base(measure(W.to_base()), W.sigma.m()),
                 Measured::from_base(measure(P.to_base()), P.sigma.px()),
             );
-            combine(&first, &second).unwrap().value.m().ln()
+            // More than 3 σ apart there is none; the weighted mean does not depend on the difference.
+            Some(combine(&first, &second)?.value.m().ln())
         })
         .collect();
+    let n = u32::try_from(logs.len()).unwrap();
     let mean = logs.iter().sum::<f64>() / f64::from(n);
     let sigma = (logs.iter().map(|log| (log - mean).powi(2)).sum::<f64>() / f64::from(n)).sqrt();
     // The σ of a sample σ is 1/√(2n): 0.22 %. Four of them, and 0.5 % for what first order leaves out.
@@ -121,9 +151,9 @@ fn the_verdict_follows_the_difference_in_sigmas() {
         (3.1, Verdict::Disagree),
     ] {
         let (first, second) = pair([(0.05_f64 * sigmas).exp(), 1.0], [0.03, 0.04], 0.2);
-        let agreement = compare(&first, &second);
-        assert_near(agreement.z.unwrap(), sigmas, 1e-9);
-        assert_eq!(agreement.verdict, Some(verdict));
+        let agreement = Comparison::of(&first, &second).agreement.unwrap();
+        assert_near(agreement.z, sigmas, 1e-9);
+        assert_eq!(agreement.verdict, verdict);
         assert_eq!(suspects(&first, &second).is_empty(), verdict == Verdict::Agree);
     }
 }
@@ -199,20 +229,23 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
-    fn the_combination_lies_between_and_is_never_vaguer_than_the_better_one(
+    fn the_combination_lies_between_and_is_never_vaguer_than_the_better_one_unless_they_differ(
         z in [any_magnitude(), any_magnitude()], r in [any_relative_sigma(), any_relative_sigma()], rf in any_relative_sigma(),
     ) {
         let (first, second) = pair(z, r, rf);
         let Some(combined) = combine(&first, &second) else {
-            prop_assert_eq!(first.own_relative_sigma().max(second.own_relative_sigma()), 0.0);
+            let own = first.own_relative_sigma().max(second.own_relative_sigma());
+            prop_assert!(own == 0.0 || Comparison::of(&first, &second).contradict());
             return Ok(());
         };
+        prop_assert!(!Comparison::of(&first, &second).contradict());
         prop_assert!(combined.value.m() >= z[0].min(z[1]) && combined.value.m() <= z[0].max(z[1]));
         prop_assert!(combined.sigma.m().is_finite() && combined.sigma.m() >= 0.0);
         let better = first.relative_sigma().min(second.relative_sigma());
         // A σ may be too small to be represented but by the smallest number there is.
         let most = combined.value.m() * better * (1.0 + 1e-12) + f64::from_bits(1);
-        prop_assert!(combined.sigma.m() <= most, "{} {}", combined.sigma.m(), most);
+        let widened = Comparison::of(&first, &second).agreement.is_some_and(|agreement| agreement.z > 1.0);
+        prop_assert!(widened || combined.sigma.m() <= most, "{} {}", combined.sigma.m(), most);
         // Nothing depends on which comes first.
         let swapped = combine(&second, &first).unwrap();
         prop_assert!((swapped.value.m() / combined.value.m() - 1.0).abs() < 1e-9, "{} {}", swapped.value.m(), combined.value.m());
@@ -223,10 +256,10 @@ proptest! {
         z in [any_magnitude(), any_magnitude()], r in [any_relative_sigma(), any_relative_sigma()], rf in any_relative_sigma(),
     ) {
         let (first, second) = pair(z, r, rf);
-        let agreement = compare(&first, &second);
-        prop_assert!(agreement.z.is_none_or(|z| z.is_finite() && z >= 0.0));
-        prop_assert!(agreement.ratio.is_none_or(|ratio| ratio.is_normal()));
-        let own = first.own_relative_sigma().max(second.own_relative_sigma());
-        prop_assert_eq!(agreement.z.is_none(), own == 0.0);
+        let comparison = Comparison::of(&first, &second);
+        prop_assert!(comparison.agreement.is_none_or(|agreement| agreement.z.is_finite() && agreement.z >= 0.0));
+        prop_assert!(comparison.ratio.is_none_or(|ratio| ratio.is_normal()));
+        let own = first.own_relative_sigma().min(second.own_relative_sigma());
+        prop_assert_eq!(comparison.agreement.is_none(), own == 0.0);
     }
 }

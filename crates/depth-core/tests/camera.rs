@@ -1,14 +1,17 @@
 //! Where a camera's numbers come from: OpenCV's and the makers' figures, exact geometry, every magnitude.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "tests")]
 
+mod common;
+
+use common::{assert_near, px};
 use depth_core::angle::Angle;
 use depth_core::camera::{
-    GroundView, Intrinsics, SENSOR_FORMATS, depth_of_tilted_target, diagonal, field_of_view, focal_length_from_field_of_view,
-    focal_length_from_pixel_pitch, focal_length_from_reference_photo, focal_length_from_sensor_width, pixel_size,
+    BelowAxis, GroundSolution, GroundView, Intrinsics, RightOfAxis, diagonal, field_of_view, focal_length_from_field_of_view,
+    focal_length_from_pixel_pitch, focal_length_from_reference_photo, focal_length_from_sensor_width, foreshortened, pixel_size,
 };
 use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
-use depth_core::quantity::{Length, LengthUnit, Pixels};
+use depth_core::quantity::{Length, LengthUnit};
 use depth_generators::any_sign_and_magnitude;
 use proptest::prelude::*;
 
@@ -16,16 +19,8 @@ fn mm(value: f64) -> Length {
     Length::new(value, LengthUnit::Millimeter)
 }
 
-fn px(value: f64) -> Pixels {
-    Pixels::new(value)
-}
-
 fn degrees(value: f64) -> Angle {
     Angle::from_degrees(value)
-}
-
-fn assert_near(value: f64, expected: f64, tolerance: f64) {
-    assert!((value - expected).abs() <= tolerance, "{value} is not {expected} ± {tolerance}");
 }
 
 /// K = [700 0 610; 0 705 350], 1280 × 720.
@@ -151,16 +146,25 @@ fn a_pixel_and_a_depth_make_a_point_and_a_range() {
 
 #[test]
 fn a_tilted_target_reads_too_long() {
-    assert_near(depth_of_tilted_target(Length::from_m(2.0), degrees(60.0)).unwrap().m(), 1.0, 1e-12);
-    assert_eq!(depth_of_tilted_target(Length::from_m(2.0), degrees(90.0)), None);
+    assert_near(foreshortened(Length::from_m(2.0), degrees(60.0)).unwrap().m(), 1.0, 1e-12);
+    assert_eq!(foreshortened(Length::from_m(2.0), degrees(90.0)), None);
     // Exact projection of both edges of a target turned about its middle.
     for (width, depth, tilt) in [(0.1, 2.0, 30.0_f64), (0.3, 2.0, 45.0), (0.2, 1.0, -60.0)] {
         let (sin, cos) = tilt.to_radians().sin_cos();
         let edge = |side: f64| side * width / 2.0 * cos / (depth + side * width / 2.0 * sin);
         let apparent = width / (edge(1.0) - edge(-1.0));
-        let corrected = depth_of_tilted_target(Length::from_m(apparent), degrees(tilt)).unwrap().m();
+        let corrected = foreshortened(Length::from_m(apparent), degrees(tilt)).unwrap().m();
         let second_order = (width * sin / (2.0 * depth)).powi(2);
         assert_near(corrected / depth, 1.0 - second_order, 1e-12);
+    }
+}
+
+/// Row `v` ± `sigma` of a camera with f = 705 px and cy = 350.
+fn row(v: f64, sigma: f64) -> BelowAxis {
+    BelowAxis::Row {
+        row: Measured::from_base(v, sigma),
+        cy: px(350.0),
+        fy: Measured::from_base(705.0, 0.0),
     }
 }
 
@@ -168,9 +172,9 @@ fn floor_view() -> GroundView {
     GroundView {
         height: Measured::from_base(1.5, 0.02),
         pitch: Measured::from_base(10.0_f64.to_radians(), 0.5_f64.to_radians()),
-        row: Measured::from_base(400.0, 1.5),
-        fy: px(705.0),
-        cy: px(350.0),
+        target_height: Length::from_m(0.0),
+        below_axis: row(400.0, 1.5),
+        right_of_axis: None,
     }
 }
 
@@ -179,10 +183,10 @@ fn the_ray_of_a_row_meets_the_floor_where_geometry_says() {
     // Looking 45° down along the axis: as far as high.
     let view = GroundView {
         pitch: Measured::from_base(45.0_f64.to_radians(), 0.0),
-        row: Measured::from_base(350.0, 0.0),
+        below_axis: row(350.0, 0.0),
         ..floor_view()
     };
-    assert_near(view.distance().unwrap().value.m(), 1.5, 1e-12);
+    assert_near(view.solve().unwrap().distance.value.m(), 1.5, 1e-12);
     // In general: turn the ray (0, t, 1) down by the pitch and cut it at the height.
     for (pitch, row) in [(0.0_f64, 360.0), (10.0, 400.0), (10.0, 300.0), (-5.0, 700.0), (30.0, 0.0)] {
         let (sin, cos) = pitch.to_radians().sin_cos();
@@ -190,10 +194,10 @@ fn the_ray_of_a_row_meets_the_floor_where_geometry_says() {
         let expected = 1.5 * (cos - t * sin) / (t * cos + sin);
         let view = GroundView {
             pitch: Measured::from_base(pitch.to_radians(), 0.0),
-            row: Measured::from_base(row, 0.0),
+            below_axis: self::row(row, 0.0),
             ..floor_view()
         };
-        assert_near(view.distance().unwrap().value.m() / expected, 1.0, 1e-12);
+        assert_near(view.solve().unwrap().distance.value.m() / expected, 1.0, 1e-12);
     }
 }
 
@@ -204,26 +208,26 @@ fn the_floors_sigma_is_that_of_the_numerical_derivatives() {
         let moved = GroundView {
             height: Measured::from_base(view.height.value.m() + height, 0.0),
             pitch: Measured::from_base(view.pitch.value.radians() + pitch, 0.0),
-            row: Measured::from_base(view.row.value.px() + row, 0.0),
+            below_axis: self::row(400.0 + row, 0.0),
             ..view
         };
-        moved.distance().unwrap().value.m()
+        moved.solve().unwrap().distance.value.m()
     };
     let step = 1e-5;
     let slopes = [
         (at(step, 0.0, 0.0) - at(-step, 0.0, 0.0)) * view.height.sigma.m(),
         (at(0.0, step, 0.0) - at(0.0, -step, 0.0)) * view.pitch.sigma.radians(),
-        (at(0.0, 0.0, step) - at(0.0, 0.0, -step)) * view.row.sigma.px(),
+        (at(0.0, 0.0, step) - at(0.0, 0.0, -step)) * 1.5,
     ];
     let sigma = slopes.iter().map(|slope| (slope / (2.0 * step)).powi(2)).sum::<f64>().sqrt();
-    assert_near(view.distance().unwrap().sigma.m() / sigma, 1.0, 1e-7);
+    assert_near(view.solve().unwrap().distance.sigma.m() / sigma, 1.0, 1e-7);
     // The published slope for the pitch alone.
     let only_pitch = GroundView {
         height: Measured::from_base(1.5, 0.0),
-        row: Measured::from_base(400.0, 0.0),
+        below_axis: row(400.0, 0.0),
         ..view
     };
-    let found = only_pitch.distance().unwrap();
+    let found = only_pitch.solve().unwrap().distance;
     let slope = (found.value.m() * found.value.m() + 1.5 * 1.5) / 1.5;
     assert_near(found.sigma.m() / (slope * view.pitch.sigma.radians()), 1.0, 1e-12);
 }
@@ -233,59 +237,40 @@ fn above_the_horizon_there_is_no_floor() {
     let view = floor_view();
     let horizon = view.horizon_row().unwrap().px();
     assert_near(horizon, 350.0 - 705.0 * 10.0_f64.to_radians().tan(), 1e-10);
-    let at = |row| GroundView {
-        row: Measured::from_base(row, 0.0),
+    let at = |v| GroundView {
+        below_axis: row(v, 0.0),
         ..view
     };
-    let above = Err(Unsolvable::AboveHorizon {
-        horizon: Some(px(horizon)),
-    });
-    assert_eq!(at(horizon - 0.01).distance(), above);
-    assert!(at(horizon + 0.01).distance().unwrap().value.m() > 1e4);
+    let missed = |horizon: f64, meets_with_opposite_pitch| {
+        Err(Unsolvable::MissesPlane {
+            horizon: Some(px(horizon)),
+            meets_with_opposite_pitch,
+        })
+    };
+    assert_eq!(at(horizon - 0.01).solve(), missed(horizon, false));
+    assert!(at(horizon + 0.01).solve().unwrap().distance.value.m() > 1e4);
     let level = GroundView {
         pitch: Measured::from_base(0.0, 0.0),
         ..at(350.0)
     };
-    let above = Err(Unsolvable::AboveHorizon { horizon: Some(px(350.0)) });
-    assert_eq!(level.distance(), above, "the horizon itself");
+    assert_eq!(level.solve(), missed(350.0, false), "the horizon itself");
+    // 80° and atan(250/705) make 99.525°: behind the camera, h/tan 99.525°.
     let down = GroundView {
         pitch: Measured::from_base(80.0_f64.to_radians(), 0.0),
         ..at(600.0)
     };
-    let Err(Unsolvable::BelowCamera { down }) = down.distance() else {
-        panic!("the ray meets the floor");
-    };
-    // 80° and atan(250/705).
-    assert_near(down.degrees(), 80.0 + 19.525, 0.001);
+    assert_near(down.solve().unwrap().ahead.value.m(), -0.2517, 1e-4);
     let flat = GroundView {
         height: Measured::from_base(0.0, 0.0),
         ..view
     };
     assert_eq!(
-        flat.distance(),
+        flat.solve(),
         Err(Unsolvable::Value {
             term: Term::CameraHeight,
             refusal: Refusal::Zero
         })
     );
-    assert_eq!(flat.horizon_row(), None);
-}
-
-#[test]
-fn an_inch_of_a_sensor_format_is_about_16_mm_of_diagonal() {
-    for format in SENSOR_FORMATS {
-        let Some(fraction) = format.name.strip_suffix('″').or((format.name == "4/3").then_some("4/3")) else {
-            continue;
-        };
-        let (whole, part) = fraction.split_once('/').unwrap_or((fraction, "1"));
-        let inches = whole.parse::<f64>().unwrap() / part.parse::<f64>().unwrap();
-        let per_inch = format.width_mm.hypot(format.height_mm) / inches;
-        // Sensors up to 1/2.3″ are traditionally named by 18 mm to the inch, larger ones by 16.
-        assert!((15.8..18.3).contains(&per_inch), "{}: {per_inch}", format.name);
-    }
-    assert!(SENSOR_FORMATS.windows(2).all(|pair| pair[0].width_mm < pair[1].width_mm));
-    let name = |name| SENSOR_FORMATS.iter().find(|format| format.name == name).unwrap();
-    assert_eq!((name("Full frame").width_mm, name("Full frame").height_mm), (36.0, 24.0));
 }
 
 proptest! {
@@ -343,14 +328,17 @@ proptest! {
         let view = GroundView {
             height: Measured::from_base(n[0], n[1]),
             pitch: Measured::from_base(n[2], n[3]),
-            row: Measured::from_base(n[4], n[5]),
-            fy: px(z),
-            cy: px(u),
+            target_height: Length::from_m(u),
+            below_axis: BelowAxis::Row { row: Measured::from_base(n[4], n[5]), cy: px(u), fy: Measured::from_base(z, n[1]) },
+            right_of_axis: Some(RightOfAxis { column: px(n[2]), cx: px(n[3]), fx: Measured::from_base(n[4], n[5]) }),
         };
         prop_assert!(view.horizon_row().is_none_or(|row| row.px().is_finite()));
-        if let Ok(distance) = view.distance() {
-            prop_assert!(distance.value.m() > 0.0 && distance.value.m().is_finite());
-            prop_assert!(distance.sigma.m().is_finite() && distance.sigma.m() >= 0.0);
+        if let Ok(GroundSolution { distance, ahead, right, slant, .. }) = view.solve() {
+            prop_assert!(distance.value.m() >= 0.0 && slant.value.m() >= 0.0);
+            for part in [Some(distance), Some(ahead), right, Some(slant)].into_iter().flatten() {
+                prop_assert!(part.value.m().is_finite());
+                prop_assert!(part.sigma.m().is_finite() && part.sigma.m() >= 0.0);
+            }
         }
     }
 }

@@ -1,40 +1,22 @@
 //! Random draws against exact distributions; tolerances are four standard deviations of the number of draws.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
+mod common;
+
+use common::{NO_DOFFS, disparity_only, exact_cameras, mug};
 use depth_core::measured::Measured;
 use depth_core::monte_carlo::{BINS, Distribution, MonteCarlo};
-use depth_core::quantity::{Length, Pixels};
+use depth_core::quantity::Length;
 use depth_core::uncertainty::Model;
 use depth_generators::any_measured;
 use proptest::prelude::*;
 
 const DRAWS: u32 = 200_000;
-const NO_DOFFS: Measured<Pixels> = Measured::exact(Pixels::new(0.0));
 
 fn distribution(model: Model) -> Distribution {
     let mut experiment = MonteCarlo::new(model, 2026);
     experiment.draw(DRAWS);
     experiment.distribution()
-}
-
-fn disparity_only(sigma: f64) -> Model {
-    Model::stereo(
-        Measured::from_base(700.0, 0.0),
-        Measured::from_base(0.1, 0.0),
-        Measured::from_base(50.0, sigma),
-        NO_DOFFS,
-    )
-    .unwrap()
-}
-
-fn mug() -> Model {
-    Model::stereo(
-        Measured::from_base(700.0, 2.0),
-        Measured::from_base(0.1, 0.0005),
-        Measured::from_base(50.0, 0.5),
-        NO_DOFFS,
-    )
-    .unwrap()
 }
 
 /// Checks a quantile of Z = k/x by the normal quantile of x that it must be: `z` standard deviations above the mean.
@@ -49,7 +31,7 @@ fn assert_quantile(found: Option<Length>, z: f64, probability: f64, sigma: f64) 
 #[test]
 fn quantiles_of_the_distance_are_those_of_the_normal_disparity() {
     for sigma in [0.5, 5.0, 20.0] {
-        let found = distribution(disparity_only(sigma));
+        let found = distribution(disparity_only(50.0, sigma));
         assert_quantile(found.median, 0.0, 0.5, sigma);
         assert_quantile(found.interval_68.near, -1.0, 0.158_66, sigma);
         assert_quantile(found.interval_68.far, 1.0, 0.841_34, sigma);
@@ -62,7 +44,7 @@ fn quantiles_of_the_distance_are_those_of_the_normal_disparity() {
 fn draws_without_a_disparity_count_as_infinitely_far() {
     // Φ(−1.5) of the draws have d ≤ 0.
     let expected = 0.066_807_201;
-    let found = distribution(disparity_only(50.0 / 1.5));
+    let found = distribution(disparity_only(50.0, 50.0 / 1.5));
     let deviation = (expected * (1.0 - expected) / f64::from(DRAWS)).sqrt();
     assert!(
         (found.share_infinite - expected).abs() < 4.0 * deviation,
@@ -123,19 +105,14 @@ fn the_mug_has_the_interval_that_the_formula_gives() {
 
 #[test]
 fn doffs_and_its_uncertainty_take_part() {
-    let model = Model::stereo(
-        Measured::from_base(700.0, 0.0),
-        Measured::from_base(0.1, 0.0),
-        Measured::from_base(10.0, 3.0),
-        Measured::from_base(40.0, 4.0),
-    );
+    let model = exact_cameras(Measured::from_base(10.0, 3.0), Measured::from_base(40.0, 4.0));
     // Together 50 ± 5 px, as above.
-    assert_quantile(distribution(model.unwrap()).interval_68.far, 1.0, 0.841_34, 5.0);
+    assert_quantile(distribution(model).interval_68.far, 1.0, 0.841_34, 5.0);
 }
 
 #[test]
 fn exact_inputs_give_one_distance() {
-    let found = distribution(disparity_only(0.0));
+    let found = distribution(disparity_only(50.0, 0.0));
     let only = Some(Length::from_m(1.4));
     assert_eq!((found.interval_95.near, found.median, found.interval_95.far), (only, only, only));
     let histogram = found.histogram.unwrap();
@@ -159,7 +136,7 @@ fn the_draws_do_not_depend_on_how_they_are_cut_up() {
 
 #[test]
 fn the_draws_are_the_same_to_the_last_bit_on_every_platform() {
-    let mut experiment = MonteCarlo::new(disparity_only(20.0), 1);
+    let mut experiment = MonteCarlo::new(disparity_only(50.0, 20.0), 1);
     experiment.draw(100_000);
     let found = experiment.distribution();
     let bits = [found.interval_68.near, found.median, found.interval_68.far].map(|z| z.unwrap().m().to_bits());
@@ -178,7 +155,7 @@ fn nothing_is_drawn_before_the_first_draw() {
 
 #[test]
 fn a_long_far_side_does_not_flatten_the_histogram() {
-    let found = distribution(disparity_only(25.0));
+    let found = distribution(disparity_only(50.0, 25.0));
     let histogram = found.histogram.unwrap();
     assert_eq!(histogram.counts.len(), usize::try_from(BINS).unwrap());
     let highest = histogram.counts.iter().copied().max().unwrap();

@@ -1,7 +1,7 @@
 //! What holds for every problem, however odd: nothing that is computed is ever NaN, infinite or negative.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
-use depth_core::agreement::Verdict;
+use depth_core::agreement::{Comparison, Verdict};
 use depth_core::judge;
 use depth_core::measured::Measured;
 use depth_core::problem::{Field, Method, Outcome, Problem, Solution};
@@ -31,17 +31,19 @@ fn check(solution: &Solution) -> Result<(), TestCaseError> {
         prop_assert!((sum - 1.0).abs() < 1e-12, "{}", sum);
     }
     if let Some(comparison) = solution.comparison {
-        let combined = comparison.combined.map(Measured::to_base);
+        let combined = solution.combined.map(Measured::to_base);
         let distances = Method::ALL.map(|method| solution.outcome(method).distance().unwrap().m());
         if let Some(combined) = combined {
             let between = distances[0].min(distances[1])..=distances[0].max(distances[1]);
             prop_assert!(between.contains(&combined.value), "{} {:?}", combined.value, distances);
             prop_assert!(combined.sigma.is_finite() && combined.sigma >= 0.0);
         }
-        prop_assert!(comparison.agreement.z.is_none_or(|z| z.is_finite() && z >= 0.0));
-        if comparison.agreement.verdict == Some(Verdict::Agree) {
+        let agreement = comparison.agreement;
+        prop_assert!(agreement.is_none_or(|agreement| agreement.z.is_finite() && agreement.z >= 0.0));
+        if agreement.is_some_and(|agreement| agreement.verdict == Verdict::Agree) {
             prop_assert_eq!(solution.suspects(), []);
         }
+        prop_assert!(combined.is_none() || !comparison.contradict());
     }
     Ok(())
 }
@@ -65,7 +67,7 @@ proptest! {
         let solution = problem.solve();
         for method in Method::ALL {
             match solution.outcome(method) {
-                Outcome::Distance(_) => for field in method.fields() {
+                Outcome::Distance(_) => for field in method.fields().into_iter().chain([method.optional_field()]) {
                     prop_assert_eq!(problem.check(field), Ok(()));
                 },
                 Outcome::Refused { field, refusal } => if let Err(found) = problem.check(field) {
@@ -119,8 +121,8 @@ proptest! {
         if let Some(combined) = depth_core::agreement::combine(&a, &b) {
             prop_assert!(combined.value.m() >= first.min(second) && combined.value.m() <= first.max(second));
         }
-        let agreement = depth_core::agreement::compare(&a, &b);
-        prop_assert!(agreement.z.is_none_or(f64::is_finite));
-        prop_assert!((agreement.ratio.unwrap() - 1.0).abs() < 64.0 * f64::EPSILON);
+        let comparison = Comparison::of(&a, &b);
+        prop_assert!(comparison.agreement.is_none_or(|agreement| agreement.z.is_finite()));
+        prop_assert!((comparison.ratio.unwrap() - 1.0).abs() < 64.0 * f64::EPSILON);
     }
 }

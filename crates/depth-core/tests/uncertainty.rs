@@ -1,6 +1,9 @@
 //! The uncertainty of one distance: golden figures, the definition of the interval, and every magnitude an f64 can have.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
+mod common;
+
+use common::{NO_DOFFS, assert_near, disparity_only, exact_cameras, mug};
 use depth_core::field::Field;
 use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
@@ -10,18 +13,6 @@ use depth_core::uncertainty::{FIRST_ORDER_LIMIT, Model};
 use depth_generators::{any_model, ordinary_model};
 use proptest::prelude::*;
 
-const NO_DOFFS: Measured<Pixels> = Measured::exact(Pixels::new(0.0));
-
-fn mug() -> Model {
-    Model::stereo(
-        Measured::from_base(700.0, 2.0),
-        Measured::from_base(0.1, 0.0005),
-        Measured::from_base(50.0, 0.5),
-        NO_DOFFS,
-    )
-    .unwrap()
-}
-
 fn mug_by_its_width() -> Model {
     Model::monocular(
         Measured::from_base(700.0, 2.0),
@@ -29,20 +20,6 @@ fn mug_by_its_width() -> Model {
         Measured::from_base(150.0, 2.0),
     )
     .unwrap()
-}
-
-fn disparity_only(disparity: f64, sigma: f64) -> Model {
-    Model::stereo(
-        Measured::from_base(700.0, 0.0),
-        Measured::from_base(0.1, 0.0),
-        Measured::from_base(disparity, sigma),
-        NO_DOFFS,
-    )
-    .unwrap()
-}
-
-fn assert_near(value: f64, expected: f64, tolerance: f64) {
-    assert!((value - expected).abs() <= tolerance, "{value} is not {expected} ± {tolerance}");
 }
 
 #[test]
@@ -78,14 +55,7 @@ fn the_disparity_is_responsible_for_three_quarters_of_the_variance() {
 
 #[test]
 fn the_variance_of_doffs_adds_to_that_of_the_disparity() {
-    let doffs = Measured::from_base(40.0, 0.4);
-    let model = Model::stereo(
-        Measured::from_base(700.0, 0.0),
-        Measured::from_base(0.1, 0.0),
-        Measured::from_base(50.0, 0.3),
-        doffs,
-    )
-    .unwrap();
+    let model = exact_cameras(Measured::from_base(50.0, 0.3), Measured::from_base(40.0, 0.4));
     // 3-4-5: together 0.5 px on 90 px.
     assert_near(model.depth().m(), 70.0 / 90.0, 1e-15);
     assert_near(model.relative_sigma(), 0.5 / 90.0, 1e-15);

@@ -61,6 +61,18 @@ fn mug() -> [Measured<f64>; 4] {
     ]
 }
 
+fn each_follows_from_the_others<const N: usize>(
+    given: [Measured<f64>; N],
+    terms: [Term; N],
+    solve: fn([Measured<f64>; N], usize) -> Solved,
+) {
+    for (unknown, term) in terms.into_iter().enumerate() {
+        let (found, value) = solve(given, unknown).unwrap();
+        assert_eq!(found, term);
+        assert!((value.value / given[unknown].value - 1.0).abs() < 1e-12, "{term:?} {value:?}");
+    }
+}
+
 #[test]
 fn each_term_of_the_measured_pair_follows_from_the_others() {
     let terms = [
@@ -70,14 +82,7 @@ fn each_term_of_the_measured_pair_follows_from_the_others() {
         Term::Input(Field::Doffs),
         Term::Distance,
     ];
-    for (unknown, term) in terms.into_iter().enumerate() {
-        let (found, value) = stereo(measured_pair(), unknown).unwrap();
-        assert_eq!(found, term);
-        assert!(
-            (value.value / measured_pair()[unknown].value - 1.0).abs() < 1e-12,
-            "{term:?} {value:?}"
-        );
-    }
+    each_follows_from_the_others(measured_pair(), terms, stereo);
 }
 
 #[test]
@@ -88,11 +93,7 @@ fn each_term_of_the_mug_follows_from_the_others() {
         Term::Input(Field::ImageWidth),
         Term::Distance,
     ];
-    for (unknown, term) in terms.into_iter().enumerate() {
-        let (found, value) = monocular(mug(), unknown).unwrap();
-        assert_eq!(found, term);
-        assert!((value.value / mug()[unknown].value - 1.0).abs() < 1e-12, "{term:?} {value:?}");
-    }
+    each_follows_from_the_others(mug(), terms, monocular);
 }
 
 /// √Σ(∂x/∂i·σ_i)² with central differences of the solution itself.

@@ -1,10 +1,11 @@
 //! From what was typed to what it means: [`Inputs`] to [`Assessment`]. Each text is parsed once, here.
 
-use crate::field::Key;
+use crate::field::{Key, Section};
 use crate::fields;
 use crate::form::Inputs;
+use crate::geometry::Geometry;
 use crate::note::{Issue, Note, Part, Severity};
-use crate::problem;
+use crate::problem::{self, Offset};
 use crate::reading::{self, Reading};
 use crate::unit::Unit;
 use depth_core::agreement::Suspect;
@@ -26,6 +27,8 @@ pub struct Assessment {
     pub unknown: Option<Unknown>,
     /// What could be read, in reading order; also what was refused afterwards.
     pub readings: Vec<Reading>,
+    /// The point in space and the ground plane.
+    pub geometry: Geometry,
 }
 
 /// A quantity that was solved for.
@@ -56,6 +59,27 @@ impl Assessment {
         self.note_at(key.into(), Part::Sigma)
     }
 
+    /// Whether the field `key` is what is solved for.
+    pub fn is_solved_for(&self, key: Key) -> bool {
+        self.unknown.as_ref().is_some_and(|unknown| key == unknown.field)
+    }
+
+    /// Why there is no distance of `method` though its fields are filled in: the error at the first of them that has one.
+    pub fn refusal(&self, method: Method) -> Option<&Note> {
+        let is_of_method = |key: Key| {
+            method
+                .fields()
+                .into_iter()
+                .chain([method.optional_field()])
+                .any(|field| key == field)
+        };
+        let mut errors = self
+            .notes
+            .iter()
+            .filter(|note| note.severity == Severity::Error && note.part == Part::Value);
+        errors.find(|note| is_of_method(note.key))
+    }
+
     /// What to look at where both distances disagree, likeliest first.
     pub fn suspects(&self) -> Vec<Suspect> {
         let mut suspects = self.solution.suspects();
@@ -84,20 +108,32 @@ impl Inputs {
         for reading in readings.iter().filter(|reading| !self.is_solved_for(reading.key)) {
             problem::set(&mut problem, reading);
         }
-        let has_doffs = self.has_doffs();
+        let mut sigmas = Vec::new();
         for key in Key::form() {
-            notes.extend(problem::judge(&mut problem, key, self.entry(key), reading(key), has_doffs));
-            if self.with_uncertainty && !self.is_solved_for(key) {
+            notes.extend(problem::judge(&mut problem, key, self.entry(key), reading(key), self.offset()));
+            if self.counts_sigma(key) {
                 // A σ in % is of a value that can be used.
                 let value = match key.input {
                     Some(_) => problem::get(&problem, key),
                     None => reading(key).map(|reading| reading.value),
                 };
                 match reading::read_sigma(key, self.entry(key), unit(key), value) {
-                    Ok(sigma) => problem::set_sigma(&mut problem, key, sigma),
-                    Err(note) => notes.push(note),
+                    Ok(sigma) => {
+                        problem::set_sigma(&mut problem, key, sigma);
+                        sigmas.extend(sigma.map(|sigma| (key, sigma)));
+                    }
+                    Err(note) => {
+                        problem::spoil_sigma(&mut problem, key);
+                        notes.push(note);
+                    }
                 }
             }
+        }
+        let errors = notes
+            .iter()
+            .filter(|note| (note.severity, note.part) == (Severity::Error, Part::Value));
+        for key in errors.map(|note| note.key) {
+            problem::spoil(&mut problem, key);
         }
         let unknown = self.unknown.map(|(method, field)| {
             let outcome = problem::solve_for(method, field, &problem, || self.read_distance());
@@ -110,15 +146,21 @@ impl Inputs {
             problem::take(&mut problem, *field, *found);
         }
         let solution = problem.solve();
-        self.note_refusals(&solution, &mut notes);
+        self.note_refusals(&solution, &readings, &mut notes);
+        let readings = with_sigmas(readings, &sigmas, unknown.is_some());
+        let usable = |reading: &&Reading| !notes.iter().any(|note| note.key == reading.key && note.severity == Severity::Error);
+        let usable: Vec<Reading> = readings.iter().filter(usable).cloned().collect();
+        let (geometry, note) = Geometry::new(&usable, &solution);
+        notes.extend(note);
         notes.sort_by_key(|note| (note.key, note.part));
-        let readings = with_sigmas(readings, &solution.problem);
+        notes.dedup_by_key(|note| (note.key, note.part));
         Assessment {
             solution,
             notes,
             missing: self.missing(),
             unknown,
             readings,
+            geometry,
         }
     }
 
@@ -158,14 +200,17 @@ impl Inputs {
     }
 
     /// Adds what a complete but useless method has to say, and what a σ out of all proportion is.
-    fn note_refusals(&self, solution: &Solution, notes: &mut Vec<Note>) {
+    fn note_refusals(&self, solution: &Solution, readings: &[Reading], notes: &mut Vec<Note>) {
         for (key, refusal) in problem::refusals(solution) {
             notes.retain(|note| (note.key, note.part, note.severity) != (key, Part::Value, Severity::Warning));
             if !notes.iter().any(|note| (note.key, note.part) == (key, Part::Value)) {
-                notes.push(problem::refused(key, self.entry(key), refusal, self.has_doffs()));
+                let reading = readings.iter().find(|reading| reading.key == key);
+                notes.push(problem::refused(key, self.entry(key), refusal, reading, self.offset()));
             }
         }
-        if let Some(field) = solution.unusable_sigma {
+        if let Some(field) = solution.unusable_sigma
+            && !notes.iter().any(|note| (note.key, note.part) == (field.into(), Part::Sigma))
+        {
             notes.push(Note::of_sigma(field.into(), Issue::SigmaOutOfProportion));
         }
     }
@@ -174,9 +219,8 @@ impl Inputs {
     ///
     /// A field with something unreadable in it is not missing: it has a note of its own.
     pub fn missing(&self) -> Vec<Note> {
-        // What is solved for is not missing.
-        let blank = |field: &Field| self.entry(*field).is_blank() && !self.is_solved_for((*field).into());
-        let touched = |method: &Method| method.own_fields().iter().any(|field| !blank(field));
+        let blank = |field: &Field| self.lacks(*field);
+        let touched = |method: &Method| self.is_begun(*method);
         let mut missing: Vec<Note> = Vec::new();
         let any_touched = Method::ALL.iter().any(touched);
         for method in Method::ALL.into_iter().filter(touched) {
@@ -197,18 +241,41 @@ impl Inputs {
         missing
     }
 
+    /// Whether something is in a field that only `method` needs.
+    pub fn is_begun(&self, method: Method) -> bool {
+        method.own_fields().into_iter().any(|field| !self.lacks(field))
+    }
+
+    /// Whether nothing is in `field` and it is not what is solved for.
+    pub fn lacks(&self, field: Field) -> bool {
+        self.entry(field).is_blank() && !self.is_solved_for(field.into())
+    }
+
     fn is_solved_for(&self, key: Key) -> bool {
         self.unknown.is_some_and(|(_, field)| key == field)
     }
 
-    fn has_doffs(&self) -> bool {
-        !self.entry(fields::DOFFS).is_blank()
+    /// Whether what was typed for σ of the field `key` counts. Those of the ground plane and of a range always do, as they are
+    /// always shown.
+    pub fn counts_sigma(&self, key: Key) -> bool {
+        let is_shown = self.with_uncertainty || matches!(key.section, Some(Section::Point | Section::Ground));
+        key.has_sigma && is_shown && !self.is_solved_for(key)
+    }
+
+    fn offset(&self) -> Offset {
+        Offset {
+            is_given: !self.entry(fields::DOFFS).is_blank(),
+            is_unknown: self.is_solved_for(fields::DOFFS),
+        }
     }
 }
 
-/// The readings with the σ that count.
-fn with_sigmas(readings: Vec<Reading>, problem: &Problem) -> Vec<Reading> {
-    let sigma = |key: Key| key.input.map(|field| problem.sigma(field)).filter(|&sigma| sigma > 0.0);
+/// The readings with the σ that count: where something is solved for, those of the inputs of the distance do not.
+fn with_sigmas(readings: Vec<Reading>, sigmas: &[(Key, f64)], is_inverse: bool) -> Vec<Reading> {
+    let sigma = |key: Key| {
+        let (_, sigma) = *sigmas.iter().find(|(other, _)| *other == key)?;
+        (sigma > 0.0 && !(is_inverse && key.input.is_some())).then_some(sigma)
+    };
     readings
         .into_iter()
         .map(|reading| Reading {

@@ -2,6 +2,7 @@
 
 use crate::field::Key;
 use crate::number;
+use crate::reading::Reading;
 use crate::unit::Unit;
 use depth_core::quantity::LengthUnit;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -17,6 +18,9 @@ pub struct Entry {
     /// The unit chosen beside it; `None` where none was chosen or there is no choice.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<LengthUnit>,
+    /// Whether [`unit`](Self::unit) was typed behind the number, which nobody does by mistake.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub unit_was_typed: bool,
     /// σ as typed: a number, with a unit, or in % of the value.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub sigma: String,
@@ -25,6 +29,7 @@ pub struct Entry {
 static BLANK: Entry = Entry {
     text: String::new(),
     unit: None,
+    unit_was_typed: false,
     sigma: String::new(),
 };
 
@@ -34,7 +39,25 @@ impl Entry {
         Self {
             text: text.into(),
             unit,
+            unit_was_typed: false,
             sigma: String::new(),
+        }
+    }
+
+    /// The same number in the unit of `reading`.
+    #[must_use]
+    pub(crate) fn with_unit(self, reading: &Reading) -> Self {
+        match reading.unit {
+            Some(Unit::Length(unit)) if reading.key.is_length() => Self {
+                unit: Some(unit),
+                unit_was_typed: reading.unit_was_typed,
+                ..self
+            },
+            Some(unit) if Some(unit) != reading.key.kind.default_unit() => Self {
+                text: format!("{} {unit}", self.text),
+                ..self
+            },
+            _ => self,
         }
     }
 
@@ -55,13 +78,17 @@ impl Entry {
     pub fn tidy(&mut self, key: Key) {
         let Ok(typed) = number::read(&self.text) else { return };
         match typed.unit.filter(|&unit| key.kind.reads(unit)) {
-            Some(unit) if key.is_length() => {
+            Some(Unit::Length(unit)) if key.is_length() => {
                 let number = typed.number_text.to_owned();
-                self.unit = unit.length();
+                self.unit = Some(unit);
+                self.unit_was_typed = true;
                 self.text = number;
             }
             // Nothing is lost: the field has this unit and no choice.
-            Some(unit) if key.kind.default_unit() == Some(unit) => self.text = typed.number_text.to_owned(),
+            Some(unit) if key.kind.default_unit() == Some(unit) => {
+                self.text = typed.number_text.to_owned();
+                self.unit_was_typed = true;
+            }
             _ => {}
         }
     }
@@ -94,6 +121,12 @@ impl Entries {
         let entry = self.entry_mut(key);
         entry.text = value.text;
         entry.unit = value.unit;
+        entry.unit_was_typed = value.unit_was_typed;
+    }
+
+    /// Takes the entry of the field `key` out, if there is one.
+    pub fn remove(&mut self, key: Key) -> Option<Entry> {
+        self.0.remove(&key)
     }
 
     /// Whether nothing was typed anywhere; units may have been chosen.

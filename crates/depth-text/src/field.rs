@@ -43,7 +43,7 @@ impl Kind {
     pub const fn reads(self, unit: Unit) -> bool {
         match self {
             Self::Pixels => matches!(unit, Unit::Pixel),
-            Self::Length(_) => matches!(unit, Unit::Length(_)),
+            Self::Length(_) => matches!(unit, Unit::Length(_) | Unit::Square(_)),
             Self::Pitch => matches!(unit, Unit::Length(_) | Unit::Micrometer),
             Self::Angle => matches!(unit, Unit::Degree | Unit::Radian),
             Self::Count | Self::Plain | Self::Text => false,
@@ -58,13 +58,13 @@ impl Kind {
         }
     }
 
-    /// The name of the unit in which results are computed; empty where there is none.
-    pub const fn base_unit(self) -> &'static str {
+    /// The unit in which values are computed; `None` where there are no units.
+    pub const fn base_unit(self) -> Option<Unit> {
         match self {
-            Self::Pixels => "pixels",
-            Self::Length(_) | Self::Pitch => "meters",
-            Self::Angle => "radians",
-            Self::Count | Self::Plain | Self::Text => "",
+            Self::Pixels => Some(Unit::Pixel),
+            Self::Length(_) | Self::Pitch => Some(Unit::Length(LengthUnit::Meter)),
+            Self::Angle => Some(Unit::Radian),
+            Self::Count | Self::Plain | Self::Text => None,
         }
     }
 
@@ -81,7 +81,7 @@ impl Kind {
 }
 
 /// A part of the form.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Section {
     /// What both methods need.
     Camera,
@@ -89,11 +89,19 @@ pub enum Section {
     Stereo,
     /// One camera and an object of known width.
     Monocular,
+    /// A pixel, and how far away what it shows is along its ray.
+    Point,
+    /// An object that does not face the camera.
+    Target,
+    /// A camera above a level floor.
+    Ground,
 }
 
 impl Section {
     /// Every section, in reading order.
-    pub const ALL: [Self; 3] = [Self::Camera, Self::Stereo, Self::Monocular];
+    pub const ALL: [Self; 6] = [Self::Camera, Self::Stereo, Self::Monocular, Self::Point, Self::Target, Self::Ground];
+    /// Those that everybody sees.
+    pub const FORM: [Self; 3] = [Self::Camera, Self::Stereo, Self::Monocular];
 
     /// Its heading.
     pub const fn name(self) -> &'static str {
@@ -101,6 +109,9 @@ impl Section {
             Self::Camera => "Camera",
             Self::Stereo => "Stereo",
             Self::Monocular => "Monocular",
+            Self::Point => "Depth or range",
+            Self::Target => "Tilted target",
+            Self::Ground => "Ground plane",
         }
     }
 }

@@ -33,6 +33,20 @@ const METERS: FieldSpec = FieldSpec {
     ..BLANK
 };
 
+const POINT: FieldSpec = FieldSpec {
+    kind: Kind::Pixels,
+    section: Some(Section::Point),
+    is_optional: true,
+    ..BLANK
+};
+
+const GROUND: FieldSpec = FieldSpec {
+    kind: Kind::Pixels,
+    section: Some(Section::Ground),
+    is_optional: true,
+    ..BLANK
+};
+
 const MILLIMETERS: FieldSpec = FieldSpec {
     kind: Kind::Length(LengthUnit::Millimeter),
     ..BLANK
@@ -43,6 +57,11 @@ const VIEW: FieldSpec = FieldSpec {
     ..BLANK
 };
 
+/// An option of the command line: its name, and the help of it and of its σ.
+const fn option(name: &'static str, help: &'static str, sigma_help: &'static str) -> Option<CommandOption> {
+    Some(CommandOption { name, help, sigma_help })
+}
+
 table! {
     /// fx, px
     FOCAL_LENGTH = FieldSpec {
@@ -50,11 +69,11 @@ table! {
         hint: "Focal length of the camera in pixels.",
         description: "Camera’s focal length",
         input: Some(Field::FocalLength), section: Some(Section::Camera),
-        option: Some(CommandOption {
-            name: "fx",
-            help: "Focal length in pixels of the image that the other pixels are counted in",
-            sigma_help: "1 σ of the focal length, such as 2 or 0.3%",
-        }),
+        option: option(
+            "fx",
+            "Focal length in pixels of the image that the other pixels are counted in",
+            "1 σ of the focal length, such as 2 or 0.3%",
+        ),
         ..INPUT
     };
     /// b, a length
@@ -64,11 +83,7 @@ table! {
         hint: "Distance between the two cameras.",
         description: "Distance between the two cameras",
         input: Some(Field::Baseline), section: Some(Section::Stereo),
-        option: Some(CommandOption {
-            name: "baseline",
-            help: "Distance between the two cameras; bare: in mm",
-            sigma_help: "1 σ of the baseline, such as 0.5mm or 0.5%",
-        }),
+        option: option("baseline", "Distance between the two cameras; bare: in mm", "1 σ of the baseline, such as 0.5mm or 0.5%"),
         ..INPUT
     };
     /// d, px
@@ -77,11 +92,11 @@ table! {
         hint: "Horizontal shift of the object between the left and right image.",
         description: "Horizontal pixel difference",
         input: Some(Field::Disparity), section: Some(Section::Stereo),
-        option: Some(CommandOption {
-            name: "disparity",
-            help: "Horizontal shift of the object between the rectified images, left x minus right x",
-            sigma_help: "1 σ of the disparity, such as 0.25",
-        }),
+        option: option(
+            "disparity",
+            "Horizontal shift of the object between the rectified images, left x minus right x",
+            "1 σ of the disparity, such as 0.25",
+        ),
         ..INPUT
     };
     /// δ = cx_right − cx_left, px
@@ -90,11 +105,7 @@ table! {
         hint: "cx of the right camera minus cx of the left one; added to the disparity.",
         signed: true, is_optional: true,
         input: Some(Field::Doffs), section: Some(Section::Stereo),
-        option: Some(CommandOption {
-            name: "doffs",
-            help: "cx of the right camera minus cx of the left one, added to the disparity",
-            sigma_help: "1 σ of doffs",
-        }),
+        option: option("doffs", "cx of the right camera minus cx of the left one, added to the disparity", "1 σ of doffs"),
         ..INPUT
     };
     /// w_img, px
@@ -103,11 +114,7 @@ table! {
         hint: "Width of the object in the image.",
         description: "Object’s width in the image",
         input: Some(Field::ImageWidth), section: Some(Section::Monocular),
-        option: Some(CommandOption {
-            name: "w-img",
-            help: "Width of the object in the image",
-            sigma_help: "1 σ of the width in the image",
-        }),
+        option: option("w-img", "Width of the object in the image", "1 σ of the width in the image"),
         ..INPUT
     };
     /// w_real, a length
@@ -117,56 +124,166 @@ table! {
         hint: "Actual physical width of the object.",
         description: "Object’s actual physical width",
         input: Some(Field::RealWidth), section: Some(Section::Monocular),
-        option: Some(CommandOption {
-            name: "w-real",
-            help: "Width of the object itself; bare: in m",
-            sigma_help: "1 σ of the real width, such as 1cm or 3%",
-        }),
+        option: option("w-real", "Width of the object itself; bare: in m", "1 σ of the real width, such as 1cm or 3%"),
         ..INPUT
     };
-    /// D, where something else is solved for.
-    DISTANCE = FieldSpec {
-        key: "distance", name: "Distance (D)", symbol: "D", noun: "the distance", examples: &["1.4"], has_sigma: true,
-        hint: "The distance along the optical axis, now an input.",
-        ..METERS
+    /// fy, px: fx where it is left out.
+    FY = FieldSpec {
+        key: "fy", name: "Focal length along the columns (fy)", symbol: "fy", noun: "fy", examples: &["700"],
+        hint: "Only if it differs from fx.",
+        option: Some(CommandOption {
+            name: "fy",
+            help: "Focal length along the columns; without it, fx",
+            sigma_help: "",
+        }),
+        ..POINT
     };
-
     /// Column of the principal point.
-    CX = FieldSpec { key: "cx", name: "Principal point cx", symbol: "cx", noun: "cx", examples: &["640"], ..PIXELS };
+    CX = FieldSpec {
+        key: "cx", name: "Principal point cx", symbol: "cx", noun: "cx", examples: &["640"], signed: true,
+        option: Some(CommandOption {
+            name: "cx",
+            help: "Column of the principal point, about half the width of the image",
+            sigma_help: "",
+        }),
+        ..POINT
+    };
     /// Row of the principal point.
-    CY = FieldSpec { key: "cy", name: "Principal point cy", symbol: "cy", noun: "cy", examples: &["360"], ..PIXELS };
+    CY = FieldSpec {
+        key: "cy", name: "Principal point cy", symbol: "cy", noun: "cy", examples: &["360"], signed: true,
+        option: Some(CommandOption {
+            name: "cy",
+            help: "Row of the principal point, about half the height of the image",
+            sigma_help: "",
+        }),
+        ..POINT
+    };
     /// Column of the pixel whose range is wanted.
     PIXEL_COLUMN = FieldSpec {
-        key: "u", name: "Column of the pixel (u)", symbol: "u", noun: "the column of the pixel", examples: &["900"],
-        ..PIXELS
+        key: "u", name: "Column of the pixel (u)", symbol: "u", noun: "the column of the pixel", examples: &["900"], signed: true,
+        option: Some(CommandOption {
+            name: "u",
+            help: "Column of the pixel, counted from the left",
+            sigma_help: "",
+        }),
+        ..POINT
     };
     /// Row of the pixel whose range is wanted.
     PIXEL_ROW = FieldSpec {
-        key: "v", name: "Row of the pixel (v)", symbol: "v", noun: "the row of the pixel", examples: &["500"],
-        ..PIXELS
+        key: "v", name: "Row of the pixel (v)", symbol: "v", noun: "the row of the pixel", examples: &["500"], signed: true,
+        option: Some(CommandOption {
+            name: "v",
+            help: "Row of the pixel, counted from the top",
+            sigma_help: "",
+        }),
+        ..POINT
+    };
+    /// The range that a tape measures, where the depth is wanted.
+    TAPED_RANGE = FieldSpec {
+        key: "range", name: "Range by tape (R)", symbol: "R", noun: "the range", examples: &["1.62"],
+        kind: Kind::Length(LengthUnit::Meter), has_sigma: true,
+        hint: "Only to get the depth from it.",
+        option: Some(CommandOption {
+            name: "range",
+            help: "Range from the lens to what the pixel shows, by tape or laser, to get its depth; bare: in m",
+            sigma_help: "1 σ of the range, such as 5mm or 1%",
+        }),
+        ..POINT
     };
     /// How far the target is turned away.
     TILT = FieldSpec {
         key: "tilt", name: "Tilt of the target", symbol: "φ", noun: "the tilt", kind: Kind::Angle, examples: &["20"], signed: true,
+        hint: "0° is facing the camera.",
+        input: Some(Field::Tilt), section: Some(Section::Target), is_optional: true,
+        option: Some(CommandOption {
+            name: "tilt",
+            help: "Angle by which the object is turned away from facing the camera; bare: in degrees",
+            sigma_help: "",
+        }),
         ..BLANK
     };
     /// Height of the camera above the floor.
     CAMERA_HEIGHT = FieldSpec {
         key: "camera-height", name: "Height of the camera", symbol: "h", noun: "the height of the camera", examples: &["1.2"],
-        has_sigma: true,
-        ..METERS
+        kind: Kind::Length(LengthUnit::Meter), has_sigma: true,
+        hint: "From the floor to the lens.",
+        option: Some(CommandOption {
+            name: "height",
+            help: "Height of the lens above the floor; bare: in m",
+            sigma_help: "1 σ of the height, such as 5cm or 2%",
+        }),
+        ..GROUND
+    };
+    /// Height of the target above the floor.
+    TARGET_HEIGHT = FieldSpec {
+        key: "target-height", name: "Height of the target", symbol: "h_target", noun: "the height of the target", examples: &["0"],
+        kind: Kind::Length(LengthUnit::Meter), signed: true,
+        hint: "0 is a point on the floor.",
+        option: Some(CommandOption {
+            name: "target-height",
+            help: "Height of the point above the floor, if it does not lie on it; bare: in m",
+            sigma_help: "",
+        }),
+        ..GROUND
     };
     /// How far the optical axis points down.
     CAMERA_PITCH = FieldSpec {
         key: "camera-pitch", name: "Pitch of the camera, downwards", symbol: "θ", noun: "the pitch of the camera",
         kind: Kind::Angle, examples: &["10"], signed: true, has_sigma: true,
-        ..BLANK
+        hint: "0° is level, 90° straight down.",
+        option: Some(CommandOption {
+            name: "pitch",
+            help: "How far the camera looks down: 0 is level, 90 straight down; bare: in degrees",
+            sigma_help: "1 σ of the pitch, such as 0.5",
+        }),
+        ..GROUND
     };
     /// Row at which the point on the floor is seen.
     FLOOR_ROW = FieldSpec {
         key: "floor-row", name: "Row of the point on the floor", symbol: "v", noun: "the row of the point", examples: &["500"],
-        has_sigma: true,
-        ..PIXELS
+        signed: true, has_sigma: true,
+        option: Some(CommandOption {
+            name: "row",
+            help: "Row at which the point is seen",
+            sigma_help: "1 σ of the row, such as 1",
+        }),
+        ..GROUND
+    };
+    /// Column at which the point on the floor is seen.
+    FLOOR_COLUMN = FieldSpec {
+        key: "floor-column", name: "Column of the point on the floor", symbol: "u", noun: "the column of the point",
+        examples: &["1100"], signed: true,
+        hint: "Only to get how far it is to the right; needs cx.",
+        option: Some(CommandOption {
+            name: "u",
+            help: "Column at which the point is seen, to get how far it is to the right",
+            sigma_help: "",
+        }),
+        ..GROUND
+    };
+    /// How far below the optical axis the point is seen, instead of its row.
+    FLOOR_ANGLE = FieldSpec {
+        key: "floor-angle", name: "Angle below the optical axis", symbol: "α", noun: "the angle below the axis",
+        kind: Kind::Angle, examples: &["11.3"], signed: true,
+        hint: "Instead of the row; needs no focal length.",
+        option: Some(CommandOption {
+            name: "angle",
+            help: "Angle of the point below the optical axis, instead of its row; bare: in degrees",
+            sigma_help: "",
+        }),
+        ..GROUND
+    };
+
+    /// D, where something else is solved for.
+    DISTANCE = FieldSpec {
+        key: "distance", name: "Distance (D)", symbol: "D", noun: "the distance", examples: &["1.4"], has_sigma: true,
+        hint: "The distance along the optical axis, now an input.",
+        option: Some(CommandOption {
+            name: "distance",
+            help: "With --solve-for: the distance along the optical axis; bare: in m",
+            sigma_help: "1 σ of the distance, such as 1cm or 1%",
+        }),
+        ..METERS
     };
 
     /// Focal length of a lens.
@@ -200,6 +317,10 @@ table! {
     /// Field of view from corner to corner.
     DIAGONAL_VIEW = FieldSpec {
         key: "diagonal-view", name: "Diagonal field of view", noun: "the field of view", examples: &["78"], ..VIEW
+    };
+    /// A focal length as a multiple of the image's width, or of half of it.
+    MULTIPLE = FieldSpec {
+        key: "multiple", name: "Multiple", noun: "the multiple", examples: &["0.97428"], ..BLANK
     };
     /// Width in a reference photograph.
     REFERENCE_IMAGE_WIDTH = FieldSpec {

@@ -1,7 +1,7 @@
 //! The form as typed.
 
 use crate::entry::{Entries, Entry};
-use crate::field::Key;
+use crate::field::{Key, Section};
 use crate::fields;
 use depth_core::problem::{Field, Method};
 use depth_core::quantity::LengthUnit;
@@ -93,6 +93,12 @@ impl Inputs {
         !key.is_optional || !entry.is_blank() || !entry.sigma.is_empty() || solved_for
     }
 
+    /// Whether something is in a field of the point, the target or the ground plane.
+    pub fn has_geometry(&self) -> bool {
+        let is_form = |key: Key| key.section.is_some_and(|section| Section::FORM.contains(&section));
+        Key::form().any(|key| !is_form(key) && !self.entry(key).is_blank())
+    }
+
     /// Whether nothing was typed into the form. A distance, which belongs to what is solved for, does not count.
     pub fn is_blank(&self) -> bool {
         Key::form().all(|key| self.entry(key).is_blank() && self.sigma(key).trim().is_empty())
@@ -109,7 +115,9 @@ impl Inputs {
     pub fn choose_unit(&mut self, key: impl Into<Key>, unit: LengthUnit) {
         let key = key.into();
         self.tidy(key);
-        self.entry_mut(key).unit = Some(unit);
+        let entry = self.entry_mut(key);
+        entry.unit = Some(unit);
+        entry.unit_was_typed = false;
     }
 
     /// Counts the last typed digit of the field `key` up or down by `steps`; see [`Entry::step`].

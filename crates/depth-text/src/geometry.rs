@@ -1,213 +1,196 @@
-//! What else a distance gives: the point in space and the range that a tape measures, the correction for a tilted target,
-//! and the ground plane as a third method.
+//! The point in space that a pixel shows, and the ground plane as a way to a distance of its own.
 
-use crate::entry::{Entries, Entry};
 use crate::field::Key;
-use crate::fields::{CAMERA_HEIGHT, CAMERA_PITCH, CX, CY, FLOOR_ROW, PIXEL_COLUMN, PIXEL_ROW, TILT};
-use crate::note::{Issue, Note};
-use crate::number::plain;
-use crate::reading::{self, Reading};
+use crate::fields::{
+    CAMERA_HEIGHT, CAMERA_PITCH, CX, CY, FLOOR_ANGLE, FLOOR_COLUMN, FLOOR_ROW, FOCAL_LENGTH, FY, PIXEL_COLUMN, PIXEL_ROW, TAPED_RANGE,
+    TARGET_HEIGHT,
+};
+use crate::note::{Fix, Issue, Note};
+use crate::reading::Reading;
 use depth_core::angle::Angle;
-use depth_core::camera::{GroundView, PointSolution, PointView, TiltSolution, TiltedTarget};
+use depth_core::camera::{Along, BelowAxis, GroundSolution, GroundView, PointSolution, PointView, RightOfAxis};
 use depth_core::judge::{Term, Unsolvable};
 use depth_core::measured::Measured;
-use depth_core::problem::Solution;
+use depth_core::problem::{Origin, Solution};
 use depth_core::quantity::{Length, Pixels, Quantity};
 
-/// Range, tilt and ground plane.
-#[derive(Clone, Debug, Default, PartialEq)]
+/// The point in space and the ground plane.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Geometry {
-    /// The point in space; `None` while something is missing.
-    pub point: Option<PointSolution>,
-    /// The correction for a tilted target; `None` while something is missing.
-    pub tilted: Option<(TiltedTarget, TiltSolution)>,
-    /// The distance along the floor with its σ; `None` while something is missing.
-    pub floor: Option<Measured<Length>>,
-    /// What could be read.
-    pub readings: Vec<Reading>,
-    /// What is wrong with what was typed, in reading order: at most one for each value and one for each σ.
-    pub notes: Vec<Note>,
+    /// The point in space, and where its distance is from; `None` while something is missing.
+    pub point: Option<(PointOrigin, PointSolution)>,
+    /// The point on the floor; `None` while something is missing.
+    pub ground: Option<GroundSolution>,
+}
+
+/// Where the distance of a point is from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PointOrigin {
+    /// It was computed.
+    Distance(Origin),
+    /// The range was measured.
+    Range,
 }
 
 impl Geometry {
     /// The fields of the point in space.
-    pub const POINT: [Key; 4] = [CX, CY, PIXEL_COLUMN, PIXEL_ROW];
-    /// The fields of the tilted target.
-    pub const TILTED: [Key; 1] = [TILT];
-    /// The fields of the ground plane.
-    pub const GROUND: [Key; 4] = [CAMERA_HEIGHT, CAMERA_PITCH, FLOOR_ROW, CY];
+    pub const POINT: [Key; 6] = [CX, CY, FY, PIXEL_COLUMN, PIXEL_ROW, TAPED_RANGE];
+    /// The fields of the ground plane, with those of the camera that it needs.
+    pub const GROUND: [Key; 9] = [
+        CAMERA_HEIGHT,
+        CAMERA_PITCH,
+        FLOOR_ROW,
+        CY,
+        FY,
+        FLOOR_COLUMN,
+        CX,
+        TARGET_HEIGHT,
+        FLOOR_ANGLE,
+    ];
 
-    /// What follows from the texts in `entries` and from `solution`.
-    pub fn assess(entries: &Entries, solution: &Solution) -> Self {
-        let mut fields = Fields {
-            entries,
-            readings: Vec::new(),
-            notes: Vec::new(),
+    /// What follows from `readings` and `solution`, and what is wrong with them.
+    pub(crate) fn new(readings: &[Reading], solution: &Solution) -> (Self, Option<Note>) {
+        let camera = Camera { readings, solution };
+        let (ground, note) = match ground(&camera) {
+            Ok(ground) => (ground, None),
+            Err(note) => (None, Some(note)),
         };
-        let mut geometry = Self {
-            point: point(&mut fields, solution),
-            tilted: tilted(&mut fields, solution),
-            floor: floor(&mut fields, solution),
-            readings: Vec::new(),
-            notes: Vec::new(),
-        };
-        geometry.readings = fields.readings;
-        geometry.notes = fields.notes;
-        geometry.notes.sort_by_key(|note| (note.key, note.part));
-        geometry.notes.dedup_by_key(|note| (note.key, note.part));
-        geometry
-    }
-
-    /// The note at the field `key`, its value first.
-    pub fn note(&self, key: Key) -> Option<&Note> {
-        self.notes.iter().find(|note| note.key == key)
+        let point = point(&camera);
+        (Self { point, ground }, note)
     }
 }
 
-/// Notes the principal point in `entries`, as a Q matrix gives it.
-pub fn set_principal_point(entries: &mut Entries, cx: Pixels, cy: Pixels) {
-    entries.fill(CX, Entry::new(plain(cx.px()), None));
-    entries.fill(CY, Entry::new(plain(cy.px()), None));
+/// What was read, and what follows from it.
+struct Camera<'a> {
+    readings: &'a [Reading],
+    solution: &'a Solution,
 }
 
-/// What was typed, and what is to be said about it.
-struct Fields<'a> {
-    entries: &'a Entries,
-    readings: Vec<Reading>,
-    notes: Vec<Note>,
-}
-
-impl Fields<'_> {
-    /// What was read in the field `key`, with its σ where it has one.
-    fn read(&mut self, key: Key) -> Option<Reading> {
-        let entry = self.entries.entry(key);
-        let reading = if key.has_sigma {
-            reading::read_with_sigma(key, entry)
-        } else {
-            reading::read(key, entry)
-        };
-        match reading {
-            Ok(reading) => {
-                self.readings.extend(reading.clone());
-                reading
-            }
-            Err(note) => {
-                self.notes.push(note);
-                None
-            }
-        }
+impl Camera<'_> {
+    fn reading(&self, key: Key) -> Option<&Reading> {
+        self.readings.iter().find(|reading| reading.key == key)
     }
 
-    fn pixels(&mut self, key: Key) -> Option<Pixels> {
-        self.read(key).map(|reading| Pixels::new(reading.value))
+    fn pixels(&self, key: Key) -> Option<Pixels> {
+        self.reading(key).map(|reading| Pixels::new(reading.value))
     }
 
-    fn measured<Q: Quantity>(&mut self, key: Key) -> Option<Measured<Q>> {
-        self.read(key)
+    fn measured<Q: Quantity>(&self, key: Key) -> Option<Measured<Q>> {
+        self.reading(key)
             .map(|reading| Measured::from_base(reading.value, reading.sigma.unwrap_or(0.0)))
     }
+
+    fn fx(&self) -> Option<Measured<Pixels>> {
+        self.solution.problem.focal_length
+    }
+
+    /// fy with the relative σ of fx.
+    fn fy_with_sigma(&self) -> Option<Measured<Pixels>> {
+        let fy = self.fy()?.px();
+        Some(Measured::from_base(fy, fy * self.fx().map_or(0.0, Measured::relative)))
+    }
+
+    fn fy(&self) -> Option<Pixels> {
+        self.pixels(FY).or(self.fx().map(|fx| fx.value))
+    }
 }
 
-fn point(fields: &mut Fields<'_>, solution: &Solution) -> Option<PointSolution> {
-    let [cx, cy, column, row] = Geometry::POINT.map(|key| fields.pixels(key));
-    let fx = solution.problem.focal_length?.value;
+fn point(camera: &Camera<'_>) -> Option<(PointOrigin, PointSolution)> {
+    let (origin, along) = match camera.measured(TAPED_RANGE) {
+        Some(range) => (PointOrigin::Range, Along::Ray(range)),
+        None => {
+            let best = camera.solution.best()?;
+            (PointOrigin::Distance(best.origin), Along::Axis(best.distance))
+        }
+    };
     let view = PointView {
-        fx,
-        fy: fx,
-        cx: cx?,
-        cy: cy?,
-        column: column?,
-        row: row?,
-        depth: solution.stereo.distance().or(solution.monocular.distance())?,
+        fx: camera.fx()?,
+        fy: camera.fy()?,
+        cx: camera.pixels(CX)?,
+        cy: camera.pixels(CY)?,
+        column: camera.pixels(PIXEL_COLUMN)?,
+        row: camera.pixels(PIXEL_ROW)?,
+        along,
     };
-    view.solve().ok()
+    Some((origin, view.solve().ok()?))
 }
 
-fn tilted(fields: &mut Fields<'_>, solution: &Solution) -> Option<(TiltedTarget, TiltSolution)> {
-    let tilt = Angle::from_radians(fields.read(TILT)?.value);
-    let apparent = solution.monocular.distance()?;
-    let target = TiltedTarget { apparent, tilt };
-    let solved = target.solve();
-    if solved.is_err() {
-        fields.notes.push(Note::error(TILT, Issue::TiltTooLarge));
+fn ground(camera: &Camera<'_>) -> Result<Option<GroundSolution>, Note> {
+    if camera.reading(FLOOR_ROW).is_some() && camera.reading(FLOOR_ANGLE).is_some() {
+        return Err(Note::error(FLOOR_ANGLE, Issue::RowAndAngle));
     }
-    Some((target, solved.ok()?))
+    let Some(view) = ground_view(camera) else { return Ok(None) };
+    view.solve().map(Some).map_err(|error| ground_note(camera, error))
 }
 
-fn floor(fields: &mut Fields<'_>, solution: &Solution) -> Option<Measured<Length>> {
-    let height = fields.measured(CAMERA_HEIGHT);
-    let pitch = fields.measured(CAMERA_PITCH);
-    let row = fields.measured(FLOOR_ROW);
-    let cy = fields.pixels(CY);
-    let view = GroundView {
-        height: height?,
-        pitch: pitch?,
-        row: row?,
-        fy: solution.problem.focal_length?.value,
-        cy: cy?,
+fn ground_view(camera: &Camera<'_>) -> Option<GroundView> {
+    let below_axis = match camera.measured::<Angle>(FLOOR_ANGLE) {
+        Some(angle) => BelowAxis::Angle(angle),
+        None => BelowAxis::Row {
+            row: camera.measured(FLOOR_ROW)?,
+            cy: camera.pixels(CY)?,
+            fy: camera.fy_with_sigma()?,
+        },
     };
-    let (key, issue) = match view.distance() {
-        Ok(distance) => return Some(distance),
-        Err(Unsolvable::AboveHorizon { .. }) => (FLOOR_ROW, Issue::AboveHorizon),
-        Err(Unsolvable::BelowCamera { .. }) => (CAMERA_PITCH, Issue::BelowCamera),
-        Err(Unsolvable::Value { term: Term::Distance, .. }) => (CAMERA_HEIGHT, Issue::GroundTooExtreme),
-        Err(_) => (CAMERA_HEIGHT, Issue::UnusableGround),
+    let right_of_axis = match camera.pixels(FLOOR_COLUMN) {
+        Some(column) => Some(RightOfAxis {
+            column,
+            cx: camera.pixels(CX)?,
+            fx: camera.fx()?,
+        }),
+        None => None,
     };
-    fields.notes.push(Note::error(key, issue));
-    None
+    Some(GroundView {
+        height: camera.measured(CAMERA_HEIGHT)?,
+        target_height: Length::from_m(camera.reading(TARGET_HEIGHT).map_or(0.0, |reading| reading.value)),
+        pitch: camera.measured(CAMERA_PITCH)?,
+        below_axis,
+        right_of_axis,
+    })
 }
 
-#[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "tests")]
-mod tests {
-    use super::*;
-    use crate::form::Example;
-
-    fn doorway(texts: &[(Key, &str)]) -> Geometry {
-        let mut entries = Entries::default();
-        for &(key, text) in texts {
-            let (value, sigma) = text.split_once('±').unwrap_or((text, ""));
-            entries.entry_mut(key).text = value.into();
-            entries.entry_mut(key).sigma = sigma.into();
-        }
-        Geometry::assess(&entries, &Example::Doorway.inputs().assess().solution)
+fn ground_note(camera: &Camera<'_>, error: Unsolvable) -> Note {
+    if let Unsolvable::MissesPlane {
+        meets_with_opposite_pitch: true,
+        ..
+    } = error
+        && let Some(pitch) = camera.reading(CAMERA_PITCH)
+    {
+        let fix = Fix::without_minus(pitch);
+        return Note::error(CAMERA_PITCH, Issue::PitchCountsDownwards).with_fixes(vec![fix]);
     }
+    let place = if camera.reading(FLOOR_ANGLE).is_some() {
+        FLOOR_ANGLE
+    } else {
+        FLOOR_ROW
+    };
+    let (key, issue) = match error {
+        Unsolvable::MissesPlane { .. } => (place, Issue::MissesPlane),
+        Unsolvable::Value {
+            term: Term::TargetHeight, ..
+        } => (TARGET_HEIGHT, Issue::TargetAtCameraHeight),
+        Unsolvable::Value { term: Term::BelowAxis, .. } => (FLOOR_ANGLE, Issue::AngleTooLarge),
+        Unsolvable::Value { term: Term::Distance, .. } => (CAMERA_HEIGHT, Issue::GroundTooExtreme),
+        Unsolvable::Value { term: Term::Input(_), .. } if camera.reading(FY).is_some() => (FY, Issue::UnusableGround),
+        _ => (CAMERA_HEIGHT, Issue::UnusableGround),
+    };
+    Note::error(key, issue)
+}
 
-    /// fx 950 px and a depth of 4.275 m: a triangle of 3, 4 and 5 in the plane of the rows.
-    #[test]
-    fn the_range_is_the_long_side_of_the_triangle() {
-        let point = doorway(&[(CX, "600"), (CY, "300"), (PIXEL_COLUMN, "1312.5"), (PIXEL_ROW, "300")])
-            .point
-            .unwrap();
-        assert!((point.x.m() - 4.275 * 0.75).abs() < 1e-12 && point.y.m() == 0.0);
-        assert!((point.range.m() - 4.275 * 1.25).abs() < 1e-12);
+/// The fields that the ground plane needs and that are not there, in reading order; none where nothing of it was typed.
+pub fn missing_for_ground(is_blank: impl Fn(Key) -> bool) -> Vec<Key> {
+    let by_angle = !is_blank(FLOOR_ANGLE);
+    let mut needed = vec![CAMERA_HEIGHT, CAMERA_PITCH];
+    if !by_angle {
+        needed.extend([FLOOR_ROW, CY]);
     }
-
-    #[test]
-    fn a_target_at_60_degrees_is_half_as_far_in_whatever_unit_the_angle_is() {
-        for tilt in ["60", "60°", "-60 deg", "1.0471975511965976 rad"] {
-            let (_, tilted) = doorway(&[(TILT, tilt)]).tilted.unwrap();
-            assert!((tilted.depth.m() - 4.275 / 2.0).abs() < 1e-12, "{tilt}");
-            assert!((tilted.excess - 1.0).abs() < 1e-12, "{tilt}");
-        }
-        assert_eq!(doorway(&[(TILT, "90")]).note(TILT).unwrap().issue, Issue::TiltTooLarge);
-        assert!(doorway(&[(TILT, "60 px")]).note(TILT).is_some());
+    if !is_blank(FLOOR_COLUMN) {
+        needed.push(CX);
     }
-
-    /// A level camera 1 m above the floor sees a point 950 rows below its middle at 45°, 1 m away.
-    #[test]
-    fn a_sigma_that_cannot_be_read_is_a_note_and_no_zero() {
-        let floor = |row: &str| doorway(&[(CAMERA_HEIGHT, "100 cm ± 1 cm"), (CAMERA_PITCH, "0"), (FLOOR_ROW, row), (CY, "300")]);
-        let distance = floor("1250").floor.unwrap();
-        assert!((distance.value.m() - 1.0).abs() < 1e-12 && (distance.sigma.m() - 0.01).abs() < 1e-12);
-        let unread = floor("1250 ± abc");
-        assert_eq!(unread.floor, None);
-        assert!(unread.note(FLOOR_ROW).unwrap().message().contains("“abc” is not an uncertainty."));
-        assert_eq!(floor("200").note(FLOOR_ROW).unwrap().issue, Issue::AboveHorizon);
+    if (!by_angle && is_blank(FY)) || !is_blank(FLOOR_COLUMN) {
+        needed.push(FOCAL_LENGTH);
     }
-
-    #[test]
-    fn nothing_is_said_while_something_is_missing() {
-        assert_eq!(doorway(&[]), Geometry::default());
-    }
+    needed.retain(|&key| is_blank(key));
+    needed.sort();
+    needed
 }

@@ -7,6 +7,7 @@
 //! [`fields`] is the table of everything that can be typed, [`sentences`] has everything that is said.
 
 pub mod assess;
+pub mod choices;
 pub mod entry;
 pub mod export;
 pub mod field;
@@ -15,6 +16,7 @@ pub mod form;
 pub mod geometry;
 pub mod link;
 mod lookup;
+pub mod names;
 pub mod note;
 pub mod number;
 mod problem;
@@ -23,6 +25,7 @@ pub mod reading;
 pub mod report;
 pub mod sentences;
 mod step;
+pub mod style;
 pub mod unit;
 mod variants;
 pub mod version1;

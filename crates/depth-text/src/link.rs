@@ -6,7 +6,6 @@ use crate::assess::Assessment;
 use crate::entry::Entry;
 use crate::field::{Key, Kind};
 use crate::form::Inputs;
-use crate::unit::Unit;
 
 /// The longest text a link may put into a field; longer ones are cut. Nobody types more.
 const LONGEST: usize = 64;
@@ -52,7 +51,7 @@ pub fn fragment(inputs: &Inputs, assessment: &Assessment) -> String {
             "{}={}{}",
             key.as_str(),
             percent_encoded(text),
-            percent_encoded(unit.map_or("", Unit::symbol))
+            percent_encoded(&unit.map_or_else(String::new, |unit| unit.to_string()))
         ));
     }
     pairs.join("&")
@@ -101,12 +100,12 @@ mod tests {
 
     #[test]
     fn the_links_of_the_examples_fill_them_in() {
-        for (link, metres) in [("#fx=700&b=100mm&d=50", 1.4), ("#fx=950&wimg=200&wreal=0.9m", 4.275)] {
+        for (link, meters) in [("#fx=700&b=100mm&d=50", 1.4), ("#fx=950&wimg=200&wreal=0.9m", 4.275)] {
             let mut inputs = Inputs::default();
             assert!(apply(link, &mut inputs));
             let solution = inputs.assess().solution;
             let distance = solution.stereo.distance().or(solution.monocular.distance());
-            assert_eq!(distance, Some(Length::from_m(metres)), "{link}");
+            assert_eq!(distance, Some(Length::from_m(meters)), "{link}");
         }
     }
 

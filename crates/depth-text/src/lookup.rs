@@ -38,6 +38,7 @@ impl From<Field> for Key {
             Field::Doffs => fields::DOFFS,
             Field::ImageWidth => fields::IMAGE_WIDTH,
             Field::RealWidth => fields::REAL_WIDTH,
+            Field::Tilt => fields::TILT,
         }
     }
 }

@@ -1,10 +1,13 @@
-//! Something to say at a field ([`Note`]): what is wrong or looks wrong ([`Issue`]), how bad it is, and what would mend it.
+//! Something to say at a field ([`Note`]): what is wrong or looks wrong ([`Issue`]), how bad it is, and which corrections one
+//! click makes ([`Fix`]).
 //! The sentences are in [`sentences`](crate::sentences).
 
 use crate::entry::Entry;
 use crate::field::Key;
+use crate::reading::Reading;
 use crate::unit::Unit;
 use crate::variants::variants;
+use depth_core::angle::Angle;
 use depth_core::disparity::NoDisparity;
 use depth_core::problem::Method;
 use depth_core::q_matrix::Expected;
@@ -44,37 +47,29 @@ pub struct Note {
 }
 
 impl Note {
-    /// An error at the value of the field `key`.
-    pub const fn error(key: Key, issue: Issue) -> Self {
+    const fn new(key: Key, part: Part, severity: Severity, issue: Issue) -> Self {
         Self {
             key,
-            part: Part::Value,
-            severity: Severity::Error,
+            part,
+            severity,
             issue,
             fixes: Vec::new(),
         }
+    }
+
+    /// An error at the value of the field `key`.
+    pub const fn error(key: Key, issue: Issue) -> Self {
+        Self::new(key, Part::Value, Severity::Error, issue)
     }
 
     /// An error at the σ of the field `key`.
     pub const fn of_sigma(key: Key, issue: Issue) -> Self {
-        Self {
-            key,
-            part: Part::Sigma,
-            severity: Severity::Error,
-            issue,
-            fixes: Vec::new(),
-        }
+        Self::new(key, Part::Sigma, Severity::Error, issue)
     }
 
     /// A warning at the value of the field `key`.
     pub const fn warning(key: Key, issue: Issue) -> Self {
-        Self {
-            key,
-            part: Part::Value,
-            severity: Severity::Warning,
-            issue,
-            fixes: Vec::new(),
-        }
+        Self::new(key, Part::Value, Severity::Warning, issue)
     }
 
     /// The same with the corrections `fixes`.
@@ -89,6 +84,24 @@ impl Note {
     }
 }
 
+impl Issue {
+    /// Whether it is about what was typed for the distance, where something else is solved for.
+    pub const fn is_about_distance(&self) -> bool {
+        matches!(
+            self,
+            Self::NotADistance { .. }
+                | Self::DistanceInPixels
+                | Self::SigmaTwoReadings { .. }
+                | Self::SigmaUnknownUnit { .. }
+                | Self::SigmaWrongUnit { .. }
+                | Self::SigmaUnitAndPercent { .. }
+                | Self::SigmaNotANumber { .. }
+                | Self::SigmaNegative { .. }
+                | Self::SigmaTooLarge { .. }
+        )
+    }
+}
+
 /// A correction offered beside a note.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fix {
@@ -99,6 +112,21 @@ pub struct Fix {
 }
 
 impl Fix {
+    /// The number of `reading` with the opposite sign.
+    pub(crate) fn without_minus(reading: &Reading) -> Self {
+        let number = reading.number_text.trim();
+        let number = match number.strip_prefix(['-', '−']) {
+            Some(positive) => positive.to_owned(),
+            None => format!("-{}", number.trim_start_matches('+')),
+        };
+        let unit = reading.unit.filter(|&unit| Some(unit) != reading.key.kind.default_unit());
+        let value = unit.map_or_else(|| number.clone(), |unit| format!("{number} {unit}"));
+        Self {
+            entry: Entry::new(number, None).with_unit(reading),
+            value,
+        }
+    }
+
     /// The text of its button.
     pub fn label(&self) -> String {
         format!("Use {}", self.value)
@@ -137,10 +165,24 @@ variants! {
         NegativeDisparity,
         /// A disparity that is not above zero together with doffs.
         DisparityWithDoffs,
+        /// A disparity that says that a matcher found none.
+        NoMatch { text: String },
+        /// The same number, where doffs makes it possible.
+        NoMatchUsed { text: String },
+        /// A baseline below zero.
+        NegativeBaseline,
         /// Outside the usual range.
         Unusual { key: Key },
         /// Outside the usual range, but not with another unit.
         UnusualUnit { key: Key, number: String, unit: LengthUnit, better: LengthUnit },
+        /// A baseline outside the usual range, which may be in another unit or in squares of the board.
+        UnusualUnitOrSquares { number: String, unit: LengthUnit, better: LengthUnit },
+        /// Squares of a board whose size was not typed.
+        SizeOfSquares { text: String },
+        /// A focal length that may be a multiple of the image's width or of half of it, with the fields of view of both.
+        MultipleOfWidth { number: String, of_width: Angle, of_half: Angle },
+        /// A field of view in degrees that would be usual in radians.
+        DegreesOrRadians { number: String },
 
         /// A σ that could mean more than one number.
         SigmaTwoReadings { key: Key, text: String },
@@ -178,10 +220,16 @@ variants! {
 
         /// A target that is turned so far that it shows no width.
         TiltTooLarge,
-        /// A row whose ray never meets the floor.
-        AboveHorizon,
-        /// A ray that points straight down or backwards.
-        BelowCamera,
+        /// A ray that never meets the floor, or the plane of the target.
+        MissesPlane,
+        /// It would with the opposite pitch.
+        PitchCountsDownwards,
+        /// A target as high as the camera.
+        TargetAtCameraHeight,
+        /// An angle below the axis of 90° or more.
+        AngleTooLarge,
+        /// A row and an angle instead of it.
+        RowAndAngle,
         /// A height, a focal length or a σ that makes no sense.
         UnusableGround,
         /// A distance along the floor that cannot be represented.
@@ -196,10 +244,14 @@ variants! {
         /// A stored value that stands for no disparity.
         NotADisparity { reason: NoDisparity },
 
+        /// A text without a Q matrix among what else it has.
+        NoQMatrix,
         /// A Q matrix with too few or too many numbers.
         QMatrixCount { found: usize },
         /// A word in a Q matrix that is no finite number.
         QMatrixNumber { text: String },
+        /// A matrix whose entry for the baseline was rounded to zero by a common factor.
+        QMatrixRounded,
         /// A matrix that is no Q matrix, counted from row and column 1.
         QMatrixEntry { row: usize, column: usize, expected: Expected, found: f64 },
         /// A Q matrix of swapped images.

@@ -5,10 +5,12 @@ use crate::field::Key;
 use crate::fields;
 use crate::note::{Fix, Issue, Note};
 use crate::reading::Reading;
+use depth_core::camera::field_of_view;
+use depth_core::disparity::is_no_match;
 use depth_core::measured::Measured;
 use depth_core::problem::{Field, Method, Outcome, Problem, Refusal, Solution, better_unit};
-use depth_core::quantity::Length;
-use depth_core::unknown::{MonocularEquation, StereoEquation};
+use depth_core::quantity::{Length, Pixels};
+use depth_core::unknown::{Found, MonocularEquation, StereoEquation};
 
 /// Puts the value of `reading` into `problem`, where it is an input.
 pub(crate) fn set(problem: &mut Problem, reading: &Reading) {
@@ -22,14 +24,46 @@ pub(crate) fn get(problem: &Problem, key: Key) -> Option<f64> {
     problem.get(key.input?)
 }
 
+/// What of the rest of the form decides whether a disparity can be used.
+#[derive(Clone, Copy)]
+pub(crate) struct Offset {
+    /// Something was typed for doffs.
+    pub(crate) is_given: bool,
+    /// It is what is solved for, so that a disparity may have either sign.
+    pub(crate) is_unknown: bool,
+}
+
 /// Judges the value of `key`: a refused one is removed from `problem`. Returns what is to be said about it.
-pub(crate) fn judge(problem: &mut Problem, key: Key, entry: &Entry, reading: Option<&Reading>, has_doffs: bool) -> Option<Note> {
+pub(crate) fn judge(problem: &mut Problem, key: Key, entry: &Entry, reading: Option<&Reading>, doffs: Offset) -> Option<Note> {
     let field = key.input?;
-    if let Err(refusal) = problem.check(field) {
-        problem.set(field, None);
-        return Some(refused(key, entry, refusal, has_doffs));
+    let is_free = doffs.is_unknown && field == Field::Disparity && problem.get(field).is_some_and(f64::is_finite);
+    match problem.check(field) {
+        Err(refusal) if !is_free => {
+            problem.set(field, None);
+            return Some(refused(key, entry, refusal, reading, doffs));
+        }
+        _ => {}
     }
-    (!problem.is_usual(field)).then(|| unusual(key, field, reading))
+    if field == Field::Disparity && reading.is_some_and(|reading| is_no_match(reading.value)) {
+        let text = entry.text.trim().to_owned();
+        return Some(Note::warning(key, Issue::NoMatchUsed { text }));
+    }
+    (!is_free && !problem.is_usual(field)).then(|| unusual(key, field, reading))
+}
+
+/// Makes the methods that need an optional field useless where it cannot be read: without it they would be plausible and wrong.
+pub(crate) fn spoil(problem: &mut Problem, key: Key) {
+    if let Some(field) = key.input.filter(|field| matches!(field, Field::Doffs | Field::Tilt)) {
+        problem.set(field, Some(f64::NAN));
+    }
+}
+
+/// Makes the uncertainty of the methods that need `key` unknown where its σ cannot be read: without it they would seem better
+/// known than they are.
+pub(crate) fn spoil_sigma(problem: &mut Problem, key: Key) {
+    if let Some(field) = key.input {
+        problem.set_sigma(field, f64::NAN);
+    }
 }
 
 /// Sets σ of `key` in `problem`.
@@ -70,13 +104,18 @@ pub(crate) fn solve_for(
         .solve(),
         Method::Monocular => MonocularEquation {
             focal_length: problem.focal_length.filter(|_| field != Field::FocalLength),
-            real_width: problem.real_width.filter(|_| field != Field::RealWidth),
+            real_width: problem.foreshortened_width().filter(|_| field != Field::RealWidth),
             image_width: problem.image_width.filter(|_| field != Field::ImageWidth),
             distance: Some(distance),
         }
         .solve(),
     };
-    solved.map(|found| found.to_base()).map_err(|_| Issue::NoSolution)
+    match solved {
+        // The equation has the width that shows.
+        Ok(Found::RealWidth(width)) => Ok(problem.turned_away(width).to_base()),
+        Ok(found) => Ok(found.to_base()),
+        Err(_) => Err(Issue::NoSolution),
+    }
 }
 
 /// Takes the solution of an equation as the value of `field`. The uncertainty asked for is that of the unknown; what it
@@ -91,25 +130,26 @@ pub(crate) fn distance(reading: &Reading) -> Measured<Length> {
     Measured::from_base(reading.value, reading.sigma.unwrap_or(0.0))
 }
 
-/// The note on a value that cannot be used. `has_doffs`: something was typed for doffs.
-pub(crate) fn refused(key: Key, entry: &Entry, refusal: Refusal, has_doffs: bool) -> Note {
+/// The note on a value that cannot be used.
+pub(crate) fn refused(key: Key, entry: &Entry, refusal: Refusal, reading: Option<&Reading>, doffs: Offset) -> Note {
     let text = entry.text.clone();
     let is_disparity = key == fields::DISPARITY;
     let issue = match refusal {
         Refusal::NotANumber => Issue::NotANumber { key, text },
-        Refusal::Zero | Refusal::Negative if is_disparity && has_doffs => Issue::DisparityWithDoffs,
+        Refusal::TurnedAway => Issue::TiltTooLarge,
+        Refusal::Zero | Refusal::Negative if is_disparity && reading.is_some_and(|reading| is_no_match(reading.value)) => Issue::NoMatch {
+            text: text.trim().to_owned(),
+        },
+        Refusal::Zero | Refusal::Negative if is_disparity && doffs.is_given => Issue::DisparityWithDoffs,
         Refusal::Zero if is_disparity => Issue::ZeroDisparity,
         Refusal::Negative if is_disparity => Issue::NegativeDisparity,
         Refusal::Zero => Issue::Zero { key },
+        Refusal::Negative if key == fields::BASELINE => Issue::NegativeBaseline,
         Refusal::Negative => Issue::Negative { key },
         Refusal::TooExtreme => Issue::TooExtreme { key, text },
     };
-    let fixes = if issue == Issue::NegativeDisparity {
-        let positive = entry.text.trim().trim_start_matches(['-', '−']).to_owned();
-        vec![Fix {
-            value: positive.clone(),
-            entry: Entry::new(positive, entry.unit),
-        }]
+    let fixes = if matches!(issue, Issue::NegativeDisparity | Issue::NegativeBaseline) {
+        reading.map(Fix::without_minus).into_iter().collect()
     } else {
         Vec::new()
     };
@@ -117,7 +157,12 @@ pub(crate) fn refused(key: Key, entry: &Entry, refusal: Refusal, has_doffs: bool
 }
 
 fn unusual(key: Key, field: Field, reading: Option<&Reading>) -> Note {
-    let slip = reading.and_then(|reading| {
+    if field == Field::FocalLength
+        && let Some(reading) = reading.filter(|reading| reading.value < LARGEST_MULTIPLE)
+    {
+        return multiple_of_width(key, reading);
+    }
+    let slip = reading.filter(|reading| !reading.unit_was_typed).and_then(|reading| {
         let unit = reading.unit?.length()?;
         Some((reading, unit, better_unit(field, reading.number, unit)?))
     });
@@ -129,5 +174,28 @@ fn unusual(key: Key, field: Field, reading: Option<&Reading>) -> Note {
         value: format!("{number} {}", better.symbol()),
         entry: Entry::new(number.clone(), Some(better)),
     };
+    if field == Field::Baseline && may_be_squares(reading.number) {
+        let squares = Fix {
+            value: "squares of … mm".to_owned(),
+            entry: Entry::new(format!("{number} squares of "), None),
+        };
+        return Note::warning(key, Issue::UnusualUnitOrSquares { number, unit, better }).with_fixes(vec![fix, squares]);
+    }
     Note::warning(key, Issue::UnusualUnit { key, number, unit, better }).with_fixes(vec![fix])
+}
+
+/// A focal length below this is no number of pixels but a multiple of the width of the image, or of half of it.
+const LARGEST_MULTIPLE: f64 = 10.0;
+
+/// Asks whether a focal length is a multiple of the width of the image or of half of it.
+fn multiple_of_width(key: Key, reading: &Reading) -> Note {
+    let view = |width: f64| field_of_view(Pixels::new(reading.value), Pixels::new(width / 2.0), Pixels::new(width));
+    let (of_width, of_half) = (view(1.0), view(2.0));
+    let number = reading.number_text.clone();
+    Note::warning(key, Issue::MultipleOfWidth { number, of_width, of_half })
+}
+
+/// Whether a baseline looks like OpenCV's translation in squares of the board: a few, and not a whole number of them.
+fn may_be_squares(number: f64) -> bool {
+    (0.3..30.0).contains(&number) && number.fract() != 0.0
 }

@@ -6,7 +6,7 @@ use crate::entry::Entry;
 use crate::field::{Key, Kind};
 use crate::note::{Fix, Issue, Note};
 use crate::number::{self, NumberError, Typed};
-use crate::unit::Unit;
+use crate::unit::{Unit, words_after_squares};
 
 /// What a field means.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +20,8 @@ pub struct Reading {
     /// The unit that holds: the one typed behind the number, else the one chosen beside it, else that of the field;
     /// `None` where there are no units.
     pub unit: Option<Unit>,
+    /// Whether that unit was typed, now or before the field was left.
+    pub unit_was_typed: bool,
     /// The value in the base unit: pixels, meters, radians, or the number itself.
     pub value: f64,
     /// σ in the base unit, where one was typed and can be used.
@@ -29,8 +31,11 @@ pub struct Reading {
 impl Reading {
     /// "10 cm": the number as typed, with its unit.
     pub fn text(&self) -> String {
-        let symbol = self.unit.map_or("", Unit::symbol);
-        format!("{} {symbol}", self.number_text).trim_end().to_owned()
+        match self.unit {
+            Some(Unit::Degree) => format!("{}°", self.number_text),
+            Some(unit) => format!("{} {unit}", self.number_text),
+            None => self.number_text.clone(),
+        }
     }
 }
 
@@ -63,6 +68,7 @@ pub fn read(key: Key, entry: &Entry) -> Result<Option<Reading>, Note> {
         number: typed.number,
         number_text: typed.number_text.to_owned(),
         unit,
+        unit_was_typed: typed.unit.is_some() || entry.unit_was_typed,
         value,
         sigma: None,
     }))
@@ -143,6 +149,9 @@ fn unreadable(key: Key, entry: &Entry, error: NumberError) -> Note {
     let readings = match error {
         NumberError::NotANumber => return Note::error(key, Issue::NotANumber { key, text }),
         NumberError::TooExtreme => return Note::error(key, Issue::TooExtreme { key, text }),
+        NumberError::UnknownUnit(unit) if key.is_length() && words_after_squares(&unit).is_some() => {
+            return Note::error(key, Issue::SizeOfSquares { text });
+        }
         NumberError::UnknownUnit(unit) => return Note::error(key, Issue::UnknownUnit { key, unit }),
         NumberError::Ambiguous { readings } => readings,
     };

@@ -1,122 +1,146 @@
 //! The results in words: lengths with their uncertainty, the formulas with their numbers, the table of parameters.
+//! Where no [`Style`] is asked for it is that of the window.
 
-use crate::assess::Unknown;
+use crate::assess::{Assessment, Unknown};
 use crate::field::Key;
-use crate::number::{self, NO_NUMBER, plain, significant};
+use crate::form::Inputs;
+use crate::geometry::PointOrigin;
+use crate::names::{self, Named};
 use crate::sentences::Statement;
-use depth_core::problem::{Field, Method, Solution, Uncertainty};
+use crate::style::Style;
+use crate::unit::Unit;
+use depth_core::camera::{GroundSolution, PointSolution};
+use depth_core::measured::Measured;
+use depth_core::problem::{Field, Method, Origin, Solution, Uncertainty};
 use depth_core::quantity::{Length, LengthUnit};
 
-/// Significant digits of a result on the screen.
-pub const DIGITS: usize = 4;
+pub use crate::style::{DIGITS, NO_UPPER_BOUND, WithSigma};
 
-/// `length` in `unit` with four significant digits and its unit: "1.400 m", or "–.– m" where there is none.
+const STYLE: Style = Style::WINDOW;
+
+/// "1.400 m", or "–.– m" where there is none; see [`Style::length`].
 pub fn length(length: Option<Length>, unit: LengthUnit) -> String {
-    format!("{} {}", length_number(length, unit), unit.symbol())
+    STYLE.length(length, unit)
 }
 
 /// [`length`] without the unit.
 pub fn length_number(length: Option<Length>, unit: LengthUnit) -> String {
-    length.map_or_else(|| NO_NUMBER.to_owned(), |length| significant(length.in_unit(unit), DIGITS))
+    STYLE.number(length.map(|length| length.in_unit(unit)))
 }
 
-/// What one pixel of disparity more or less makes of the stereo distance: "1.373 … 1.429 m".
-pub fn one_pixel_around(solution: &Solution, unit: LengthUnit) -> Option<String> {
-    let (near, far) = solution.one_pixel_range()?;
-    let near = length_number(Some(near), unit);
-    Some(match far {
-        Some(far) => format!("{near} … {}", length(Some(far), unit)),
-        None => format!("{near} {} … no upper bound", unit.symbol()),
-    })
+/// "1.373 … 1.429 m"; see [`Style::range`].
+pub fn range(near: Length, far: Option<Length>, unit: LengthUnit) -> String {
+    STYLE.range(near, far, unit)
 }
 
-/// The formula of `method` with its symbols, with doffs where there is one.
+/// "1.373 … 1.429 m"; see [`Style::one_pixel_range`].
+pub fn one_pixel_range(solution: &Solution, unit: LengthUnit) -> Option<String> {
+    STYLE.one_pixel_range(solution, unit)
+}
+
+/// `length` and its `sigma` in `unit`; see [`Style::with_sigma`].
+pub fn with_sigma(length: Length, sigma: Length, unit: LengthUnit) -> WithSigma {
+    STYLE.with_sigma(length.in_unit(unit), sigma.in_unit(unit))
+}
+
+/// "1.384 … 1.416 m"; see [`Style::interval`].
+pub fn interval(uncertainty: &Uncertainty, unit: LengthUnit) -> String {
+    STYLE.interval(uncertainty, unit)
+}
+
+/// The formula of `method` with its symbols, with doffs or tilt where there is one.
 pub fn formula(solution: &Solution, method: Method) -> &'static str {
-    match (method, solution.problem.doffs) {
-        (Method::Stereo, Some(_)) => "D = fx · b / (d + doffs)",
-        _ => method.formula(),
-    }
+    names::formula(method, solution.problem.get(method.optional_field()).is_some())
 }
 
-/// The formula of `method` with the current numbers and its result in meters, or `None` while an input is missing:
-/// "D = 700 px · 0.1 m / 50 px = 1.400 m".
-pub fn formula_with_numbers(solution: &Solution, method: Method) -> Option<String> {
-    let distance = solution.outcome(method).distance()?;
-    let value = |field: Field| {
-        let unit = if Key::from(field).is_length() { "m" } else { "px" };
-        solution.problem.get(field).map(|value| format!("{} {unit}", plain(value)))
-    };
-    let (first, second, divisor) = match method {
-        Method::Stereo => (Field::FocalLength, Field::Baseline, Field::Disparity),
-        Method::Monocular => (Field::RealWidth, Field::FocalLength, Field::ImageWidth),
-    };
-    let divisor = match (method, value(Field::Doffs)) {
-        (Method::Stereo, Some(doffs)) => format!("({} + {doffs})", value(divisor)?),
-        _ => value(divisor)?,
-    };
-    Some(format!(
-        "D = {} · {} / {divisor} = {}",
-        value(first)?,
-        value(second)?,
-        length(Some(distance), LengthUnit::Meter)
-    ))
+/// The formula of `method` with the numbers as they were typed and its result in `unit`, or `None` while an input is missing:
+/// "D = 700 px · 10 cm / 50 px = 1.400 m".
+pub fn formula_with_numbers(assessment: &Assessment, method: Method, unit: LengthUnit) -> Option<String> {
+    let distance = assessment.solution.outcome(method).distance()?;
+    let numbers = STYLE.numbers_in_formula(assessment, method)?;
+    Some(format!("D = {numbers} = {}", length(Some(distance), unit)))
+}
+
+/// What the distance of `method` still needs: "needs baseline and disparity"; `None` where all is there.
+pub fn needs(inputs: &Inputs, method: Method) -> Option<String> {
+    let missing: Vec<&str> = method
+        .fields()
+        .into_iter()
+        .filter(|&field| inputs.lacks(field))
+        .map(|field| Key::from(field).symbol)
+        .collect();
+    let (last, first) = missing.split_last()?;
+    Some(match first {
+        [] => format!("needs {last}"),
+        first => format!("needs {} and {last}", first.join(", ")),
+    })
 }
 
 /// One row of the table "Key input parameters and outputs".
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
     /// What it is.
-    pub parameter: &'static str,
+    pub parameter: String,
     /// Its value in [`unit`](Self::unit), or [`NO_NUMBER`].
     pub value: String,
     /// "pixels" or "meters".
-    pub unit: &'static str,
+    pub unit: String,
     /// What it means.
     pub description: &'static str,
 }
 
-/// The rows of the table: the inputs that everybody has, then what follows; lengths in meters whatever unit was typed.
-pub fn parameter_rows(solution: &Solution) -> Vec<Row> {
-    const PIXELS: &str = "pixels";
-    const METERS: &str = "meters";
+/// The rows of the table: the inputs that everybody has as they were typed, then what follows, its lengths in `unit`.
+pub fn parameter_rows(assessment: &Assessment, unit: LengthUnit) -> Vec<Row> {
+    let solution = &assessment.solution;
     let inputs = Key::form().filter(|key| !key.is_optional).filter_map(|key| {
         let value = solution.problem.get(key.input?);
+        let typed = assessment
+            .reading(key)
+            .filter(|_| value.is_some() && !assessment.is_solved_for(key));
+        let unit = typed.map_or_else(|| key.kind.default_unit(), |reading| reading.unit);
         Some(Row {
-            parameter: key.spec().name,
-            value: value.map_or_else(|| NO_NUMBER.to_owned(), plain),
-            unit: key.kind.base_unit(),
+            parameter: key.spec().name.to_owned(),
+            value: match typed {
+                Some(reading) => reading.number_text.clone(),
+                None => STYLE.number(value.map(|value| unit.map_or(value, |unit| unit.from_base(value)))),
+            },
+            unit: match unit {
+                Some(square @ Unit::Square(_)) => square.to_string(),
+                unit => unit.map_or("", Named::name).to_owned(),
+            },
             description: key.spec().description,
         })
     });
-    let output = |parameter, value: Option<f64>, unit, description| Row {
+    let output = |parameter: String, value, unit: Unit, description| Row {
         parameter,
-        value: value.map_or_else(|| NO_NUMBER.to_owned(), |value| significant(value, DIGITS)),
-        unit,
+        value: STYLE.number(value),
+        unit: unit.name().to_owned(),
         description,
     };
+    let in_unit = |length: Length| length.in_unit(unit);
     let outputs = [
         output(
-            ESTIMATED_WIDTH_PX,
+            ESTIMATED_WIDTH_PX.to_owned(),
             solution.estimated_width_px.map(|width| width.px()),
-            PIXELS,
+            Unit::Pixel,
             "Width in the image that the real width and the distance predict",
         ),
         output(
-            ESTIMATED_WIDTH_M,
-            solution.estimated_width.map(Length::m),
-            METERS,
+            estimated_width_name(unit),
+            solution.estimated_width.map(in_unit),
+            Unit::Length(unit),
             "Real width that the width in the image and the distance predict",
         ),
         output(
-            "Distance (stereo)",
-            solution.stereo.distance().map(Length::m),
-            METERS,
+            "Distance (stereo)".to_owned(),
+            solution.stereo.distance().map(in_unit),
+            Unit::Length(unit),
             "Distance from disparity",
         ),
         output(
-            "Distance (monocular)",
-            solution.monocular.distance().map(Length::m),
-            METERS,
+            "Distance (monocular)".to_owned(),
+            solution.monocular.distance().map(in_unit),
+            Unit::Length(unit),
             "Distance from the object’s known width",
         ),
     ];
@@ -125,54 +149,25 @@ pub fn parameter_rows(solution: &Solution) -> Vec<Row> {
 
 /// Name of w_real·fx/D.
 pub const ESTIMATED_WIDTH_PX: &str = "Estimated object width (pixels)";
-/// Name of w_img·D/fx.
-pub const ESTIMATED_WIDTH_M: &str = "Estimated object width (meters)";
-
-/// A value and its σ, written to the same decimal.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct WithSigma {
-    /// The value.
-    pub value: String,
-    /// Its σ with two significant digits.
-    pub sigma: String,
+/// Name of w_img·D/fx in `unit`: "Estimated object width (meters)".
+pub fn estimated_width_name(unit: LengthUnit) -> String {
+    format!("Estimated object width ({})", unit.name())
 }
+/// What w_real·fx/D is, where there is no table to explain its name.
+pub const PREDICTED_WIDTH_PX: &str = "Width in the image that the real width predicts";
+/// What w_img·D/fx is, where there is no table to explain its name.
+pub const PREDICTED_WIDTH_M: &str = "Real width that the width in the image predicts";
 
-impl WithSigma {
-    /// "1.400 ± 0.016 m".
-    pub fn text(&self, unit: LengthUnit) -> String {
-        format!("{} ± {} {}", self.value, self.sigma, unit.symbol())
-    }
-}
-
-/// `length` and its `sigma` in `unit`: σ with two significant digits, the value with as many decimals.
-pub fn with_sigma(length: Length, sigma: Length, unit: LengthUnit) -> WithSigma {
-    let (value, sigma) = (length.in_unit(unit), sigma.in_unit(unit));
-    let decimals = decimals_beside(value, sigma);
-    WithSigma {
-        value: number::to_decimals(value, decimals),
-        sigma: significant(sigma, 2),
-    }
-}
-
-/// The 1 σ interval, to the decimals of σ: "1.384 … 1.416 m".
-pub fn interval(known: &Uncertainty, unit: LengthUnit) -> String {
-    let decimals = decimals_beside(known.model.depth().in_unit(unit), known.sigma.in_unit(unit));
-    let end = |length: Length| number::to_decimals(length.in_unit(unit), decimals);
-    let near = end(known.interval.near);
-    match known.interval.far {
-        Some(far) => format!("{near} … {} {}", end(far), unit.symbol()),
-        None => format!("{near} {} … no upper bound", unit.symbol()),
-    }
-}
-
-/// The decimals that show two digits of `sigma`, and at least two of `value`.
-pub fn decimals_beside(value: f64, sigma: f64) -> i32 {
-    (1 - number::magnitude(sigma)).max(1 - number::magnitude(value))
-}
+/// The change that [`one_pixel_range`] is about.
+pub const ONE_PIXEL: &str = "one pixel of disparity more or less";
+/// What both distances combined are, where that has a line of its own.
+pub const COMBINED_ESTIMATE: &str = "Combined estimate; the shared focal length is accounted for";
+/// The same beside their value.
+pub const COMBINED: &str = "combined, the shared focal length accounted for";
 
 /// Where the variance comes from: "disparity 75 %, baseline 19 %, focal length 6 %", the largest first.
-pub fn budget(known: &Uncertainty) -> String {
-    let mut shares = known.budget.to_vec();
+pub fn budget(uncertainty: &Uncertainty) -> String {
+    let mut shares = uncertainty.budget.to_vec();
     shares.sort_by(|a, b| b.share.total_cmp(&a.share));
     shares
         .iter()
@@ -183,8 +178,8 @@ pub fn budget(known: &Uncertainty) -> String {
 }
 
 /// The input behind most of the variance: "mostly from disparity (75 %)".
-pub fn main_cause(known: &Uncertainty) -> Option<String> {
-    let share = known.main_cause()?;
+pub fn main_cause(uncertainty: &Uncertainty) -> Option<String> {
+    let share = uncertainty.main_cause()?;
     let how = if share.share >= 0.5 { "mostly" } else { "most of it" };
     Some(format!("{how} from {} ({})", short_name(share.source), percent(share.share)))
 }
@@ -204,23 +199,93 @@ pub fn percent(share: f64) -> String {
     }
 }
 
-/// What is said where σ alone would mislead.
-pub const FIRST_ORDER_IS_POOR: Statement = Statement::FirstOrderIsPoor { has_simulation: true };
+/// How sure the distance is that `uncertainty` belongs to, a line each: the interval, the shares, and whether ± σ misleads.
+pub fn certainty(style: Style, uncertainty: &Uncertainty, unit: LengthUnit) -> Vec<String> {
+    let mut lines = vec![
+        format!("1 σ interval: {}", style.interval(uncertainty, unit)),
+        format!("variance: {}", budget(uncertainty)),
+    ];
+    if !uncertainty.model.first_order_is_good() {
+        let has_simulation = style.has_simulation;
+        lines.push(Statement::FirstOrderIsPoor { has_simulation }.to_string());
+    }
+    lines
+}
+
+/// Whether both distances agree, and what to look at if not, a line each.
+pub fn agreement(assessment: &Assessment) -> Vec<String> {
+    let agreement = Statement::comparison(&assessment.solution);
+    let suspects = assessment.suspects();
+    let statements = agreement.into_iter().chain(suspects.iter().map(Statement::suspect));
+    statements.map(|statement| statement.to_string()).collect()
+}
+
+/// The point in space, a name and a value each, in `unit`.
+pub fn point(style: Style, point: &PointSolution, unit: LengthUnit) -> [(&'static str, String); 4] {
+    [
+        ("X, to the right", style.measured(point.x, unit)),
+        ("Y, down", style.measured(point.y, unit)),
+        ("Z, depth along the axis", style.measured(point.z, unit)),
+        ("R, range from the lens", style.measured(point.range, unit)),
+    ]
+}
+
+/// Where the distance of a point is from: "from the combined distance".
+pub const fn point_origin(origin: PointOrigin) -> &'static str {
+    match origin {
+        PointOrigin::Distance(Origin::Combined) => "from the combined distance",
+        PointOrigin::Distance(Origin::Method(Method::Stereo)) => "from the stereo distance",
+        PointOrigin::Distance(Origin::Method(Method::Monocular)) => "from the monocular distance",
+        PointOrigin::Range => "from the range",
+    }
+}
+
+/// What a depth is called that a range by tape gives.
+pub const DEPTH_OF_RANGE: &str = "depth along the axis, from the range";
+
+/// The name of the distance on the floor.
+pub const ALONG_FLOOR: &str = "Along the floor";
+
+/// The point on the floor, a name and a value each, in `unit`.
+pub fn ground(style: Style, ground: &GroundSolution, unit: LengthUnit) -> Vec<(&'static str, String)> {
+    let ahead = if ground.ahead.value.m() < 0.0 {
+        let behind = Measured::from_base(-ground.ahead.value.m(), ground.ahead.sigma.m());
+        ("Straight behind", behind)
+    } else {
+        ("Straight ahead", ground.ahead)
+    };
+    let right = ground.right.map(|right| {
+        if right.value.m() < 0.0 {
+            ("To the left", Measured::from_base(-right.value.m(), right.sigma.m()))
+        } else {
+            ("To the right", right)
+        }
+    });
+    let lines = [
+        Some(ahead),
+        right,
+        Some((ALONG_FLOOR, ground.distance)),
+        Some(("Slant, from the lens", ground.slant)),
+    ];
+    lines
+        .into_iter()
+        .flatten()
+        .map(|(name, value)| (name, style.measured(value, unit)))
+        .collect()
+}
 
 /// What was solved for with its uncertainty, in `unit` (`None`: pixels), or what is lacking: "100.0 ± 1.2 mm".
-pub fn unknown(unknown: &Unknown, unit: Option<LengthUnit>) -> String {
+pub fn unknown(style: Style, unknown: &Unknown, unit: Option<LengthUnit>) -> String {
     let found = match &unknown.outcome {
         Ok(found) => found,
         Err(reason) => return reason.to_string(),
     };
-    let in_unit = |base: f64| unit.map_or(base, |unit| Length::from_m(base).in_unit(unit));
-    let symbol = unit.map_or("px", LengthUnit::symbol);
-    let (value, sigma) = (in_unit(found.value), in_unit(found.sigma));
+    let unit = unit.map_or(Unit::Pixel, Unit::Length);
+    let (value, sigma) = (unit.from_base(found.value), unit.from_base(found.sigma));
     if sigma == 0.0 {
-        return format!("{} {symbol}", significant(value, DIGITS));
+        return format!("{} {}", style.number(Some(value)), unit.symbol());
     }
-    let decimals = decimals_beside(value, sigma);
-    format!("{} ± {} {symbol}", number::to_decimals(value, decimals), significant(sigma, 2))
+    style.with_sigma(value, sigma).text(unit)
 }
 
 #[cfg(test)]
@@ -228,29 +293,50 @@ mod tests {
     use super::*;
     use crate::entry::Entry;
     use crate::form::Example;
+    use crate::number::NO_NUMBER;
 
     #[test]
     fn the_formula_of_the_mug_has_its_numbers() {
         let inputs = Example::CoffeeMug.inputs();
         let assessment = inputs.assess();
         assert_eq!(
-            one_pixel_around(&assessment.solution, LengthUnit::Meter).as_deref(),
+            one_pixel_range(&assessment.solution, LengthUnit::Meter).as_deref(),
             Some("1.373 … 1.429 m")
         );
         assert_eq!(
-            formula_with_numbers(&assessment.solution, Method::Stereo).as_deref(),
-            Some("D = 700 px · 0.1 m / 50 px = 1.400 m")
+            formula_with_numbers(&assessment, Method::Stereo, LengthUnit::Meter).as_deref(),
+            Some("D = 700 px · 10 cm / 50 px = 1.400 m")
+        );
+        let mut far = Inputs::default();
+        far.entry_mut(Field::FocalLength).text = "700".into();
+        far.entry_mut(Field::Baseline).text = "4 in".into();
+        far.entry_mut(Field::Disparity).text = "0.05".into();
+        assert_eq!(
+            formula_with_numbers(&far.assess(), Method::Stereo, LengthUnit::Foot).as_deref(),
+            Some("D = 700 px · 4 in / 0.05 px = 4667 ft")
         );
     }
 
     #[test]
-    fn the_table_has_lengths_in_metres_whatever_was_typed() {
-        let rows = parameter_rows(&Example::CoffeeMug.inputs().assess().solution);
-        let values: Vec<_> = rows.iter().map(|row| (row.value.as_str(), row.unit)).collect();
+    fn a_doffs_below_zero_is_subtracted() {
+        let mut inputs = Example::CoffeeMug.inputs();
+        inputs.entry_mut(Field::Disparity).text = "90".into();
+        inputs.entry_mut(Field::Doffs).text = "-40".into();
+        assert_eq!(
+            formula_with_numbers(&inputs.assess(), Method::Stereo, LengthUnit::Meter).as_deref(),
+            Some("D = 700 px · 10 cm / (90 px − 40 px) = 1.400 m")
+        );
+    }
+
+    #[test]
+    fn the_table_has_inputs_as_typed_and_results_in_the_unit_of_the_results() {
+        let rows = parameter_rows(&Example::CoffeeMug.inputs().assess(), LengthUnit::Foot);
+        let values: Vec<_> = rows.iter().map(|row| (row.value.as_str(), row.unit.as_str())).collect();
         assert_eq!(
             values.get(..4),
-            Some(&[("700", "pixels"), ("0.1", "meters"), ("50", "pixels"), (NO_NUMBER, "pixels")][..])
+            Some(&[("700", "pixels"), ("10", "centimeters"), ("50", "pixels"), (NO_NUMBER, "pixels")][..])
         );
+        assert!(values.contains(&("4.593", "feet")), "{values:?}");
     }
 
     #[test]
@@ -258,7 +344,7 @@ mod tests {
         let mut inputs = Example::CoffeeMug.inputs();
         *inputs.entry_mut(Field::Disparity) = Entry::new("1", None);
         assert_eq!(
-            one_pixel_around(&inputs.assess().solution, LengthUnit::Meter).as_deref(),
+            one_pixel_range(&inputs.assess().solution, LengthUnit::Meter).as_deref(),
             Some("35.00 m … no upper bound")
         );
     }

@@ -1,10 +1,13 @@
 //! The units that can be typed behind a number.
 
+use crate::number;
 use depth_core::angle::Angle;
+use depth_core::judge;
 use depth_core::quantity::{Length, LengthUnit};
+use std::fmt::{self, Display, Formatter};
 
 /// A unit that can be typed behind a number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Unit {
     /// px
     Pixel,
@@ -12,6 +15,9 @@ pub enum Unit {
     Length(LengthUnit),
     /// µm, the unit of pixel pitches.
     Micrometer,
+    /// The side of a square of a calibration board, as long as this: what OpenCV computes in where the size of the squares was
+    /// not told.
+    Square(Length),
     /// °
     Degree,
     /// rad
@@ -19,9 +25,14 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// The unit that `word` names: symbols, English names in singular and plural, and the primes of inch and foot.
+    /// The unit that `word` names: symbols, English names in singular and plural, the primes of inch and foot, and
+    /// "squares of 25 mm".
     pub fn named(word: &str) -> Option<Self> {
-        Some(match word.to_lowercase().as_str() {
+        let word = word.to_lowercase();
+        if let Some(size) = words_after_squares(&word) {
+            return square(size);
+        }
+        Some(match word.as_str() {
             "px" | "pixel" | "pixels" => Self::Pixel,
             "mm" | "millimetre" | "millimetres" | "millimeter" | "millimeters" => Self::Length(LengthUnit::Millimeter),
             "cm" | "centimetre" | "centimetres" | "centimeter" | "centimeters" => Self::Length(LengthUnit::Centimeter),
@@ -36,12 +47,13 @@ impl Unit {
         })
     }
 
-    /// The symbol written behind a number.
+    /// The symbol written behind a number; of squares without their size, which [`Display`] has.
     pub const fn symbol(self) -> &'static str {
         match self {
             Self::Pixel => "px",
             Self::Length(unit) => unit.symbol(),
             Self::Micrometer => "µm",
+            Self::Square(_) => "squares",
             Self::Degree => "°",
             Self::Radian => "rad",
         }
@@ -54,6 +66,7 @@ impl Unit {
             Self::Length(unit) => Length::new(number, unit).m(),
             // In two steps, each of which rounds as it does for somebody who types millimeters.
             Self::Micrometer => Length::new(number / 1000.0, LengthUnit::Millimeter).m(),
+            Self::Square(size) => number * size.m(),
             Self::Degree => Angle::from_degrees(number).radians(),
         }
     }
@@ -64,6 +77,7 @@ impl Unit {
             Self::Pixel | Self::Radian => base,
             Self::Length(unit) => Length::from_m(base).in_unit(unit),
             Self::Micrometer => Length::from_m(base).in_unit(LengthUnit::Millimeter) * 1000.0,
+            Self::Square(size) => base / size.m(),
             Self::Degree => Angle::from_radians(base).degrees(),
         }
     }
@@ -74,5 +88,62 @@ impl Unit {
             Self::Length(unit) => Some(unit),
             _ => None,
         }
+    }
+}
+
+impl From<LengthUnit> for Unit {
+    fn from(unit: LengthUnit) -> Self {
+        Self::Length(unit)
+    }
+}
+
+/// The unit as it is typed behind a number: "squares of 23.6 mm".
+impl Display for Unit {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Square(size) => write!(f, "squares of {} mm", number::plain(size.in_unit(LengthUnit::Millimeter))),
+            _ => f.write_str(self.symbol()),
+        }
+    }
+}
+
+/// What follows "squares" or "squares of"; `None` where `unit` is another unit.
+pub(crate) fn words_after_squares(unit: &str) -> Option<&str> {
+    let rest = unit.strip_prefix("squares").or_else(|| unit.strip_prefix("square"))?;
+    let rest = rest.trim_start();
+    Some(rest.strip_prefix("of").unwrap_or(rest).trim())
+}
+
+/// Squares of the size `text`, which has its unit.
+fn square(text: &str) -> Option<Unit> {
+    let typed = number::read(text).ok()?;
+    let meters = typed.unit.filter(|unit| matches!(unit, Unit::Length(_)))?.to_base(typed.number);
+    judge::positive(meters).is_ok().then_some(Unit::Square(Length::from_m(meters)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn squares_of_a_board_have_a_size() {
+        let of = |millimeters| Some(Unit::Square(Length::new(millimeters, LengthUnit::Millimeter)));
+        for (word, unit) in [
+            ("squares of 23.6 mm", of(23.6)),
+            ("square of 1in", of(25.4)),
+            ("squares 25 mm", of(25.0)),
+            ("squares", None),
+            ("squares of", None),
+            ("squares of 25", None),
+            ("squares of 0 mm", None),
+            ("squares of -3 mm", None),
+            ("squares of squares of 3 mm", None),
+        ] {
+            assert_eq!(Unit::named(word), unit, "{word}");
+        }
+        assert_eq!(
+            Unit::named("squares of 23.6 mm").map(|unit| unit.to_string()).as_deref(),
+            Some("squares of 23.6 mm")
+        );
     }
 }

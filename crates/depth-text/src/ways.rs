@@ -7,7 +7,7 @@
 use crate::entry::{Entries, Entry};
 use crate::field::Key;
 use crate::fields::{self, DISPARITY, DOFFS, FOCAL_LENGTH, FRAME_HEIGHT, FRAME_WIDTH, LENS, STORED_VALUE};
-use crate::note::{Issue, Note};
+use crate::note::{Fix, Issue, Note};
 use crate::number::plain;
 use crate::reading::{self, Reading};
 use depth_core::angle::Angle;
@@ -15,6 +15,7 @@ use depth_core::camera;
 use depth_core::disparity::{self, Encoding, SubpixelBits};
 use depth_core::measured::Measured;
 use depth_core::quantity::{Length, Pixels};
+use std::f64::consts::PI;
 
 /// One way to a number.
 #[derive(Clone, Copy, Debug)]
@@ -29,8 +30,15 @@ pub struct Way {
     pub asks: &'static [Key],
     /// The field that takes the result.
     pub target: Key,
-    /// The result in px from the values of `asks`, in their order and in their base units.
-    compute: fn(&[f64]) -> Result<f64, Issue>,
+    compute: Compute,
+}
+
+/// The result in px from the values of as many fields, in the order of [`Way::asks`] and in their base units.
+#[derive(Clone, Copy, Debug)]
+enum Compute {
+    One(fn(f64) -> Result<f64, Issue>),
+    Two(fn(f64, f64) -> Result<f64, Issue>),
+    Three(fn(f64, f64, f64) -> Result<f64, Issue>),
 }
 
 /// What came of a way.
@@ -50,15 +58,19 @@ impl Way {
         let mut result = WayResult::default();
         for &key in self.asks {
             match reading::read(key, entries.entry(key)) {
+                Ok(Some(reading)) if may_be_radians(&reading) => result.notes.push(degrees_or_radians(&reading)),
                 Ok(reading) => result.readings.extend(reading),
                 Err(note) => result.notes.push(note),
             }
         }
-        if result.readings.len() < self.asks.len() {
-            return result;
-        }
         let values: Vec<f64> = result.readings.iter().map(|reading| reading.value).collect();
-        match (self.compute)(&values) {
+        let computed = match (self.compute, values.as_slice()) {
+            (Compute::One(of), &[a]) => of(a),
+            (Compute::Two(of), &[a, b]) => of(a, b),
+            (Compute::Three(of), &[a, b, c]) => of(a, b, c),
+            _ => return result,
+        };
+        match computed {
             Ok(value) => result.value = Some(value).filter(|value| value.is_finite()),
             Err(issue) => {
                 let key = match issue {
@@ -91,10 +103,7 @@ pub const FOCAL_LENGTHS: &[Way] = &[
         remark: "fx = focal length / pixel pitch. Use the pitch of the image as you have it: twice as large after 2 × 2 binning.",
         asks: &[LENS, fields::PIXEL_PITCH],
         target: FOCAL_LENGTH,
-        compute: |values| {
-            let [lens, pitch] = *values else { return incomplete() };
-            found(camera::focal_length_from_pixel_pitch(Length::from_m(lens), Length::from_m(pitch)))
-        },
+        compute: Compute::Two(|lens, pitch| found(camera::focal_length_from_pixel_pitch(Length::from_m(lens), Length::from_m(pitch)))),
     },
     Way {
         key: "sensor-width",
@@ -102,11 +111,10 @@ pub const FOCAL_LENGTHS: &[Way] = &[
         remark: "fx = focal length · image width / sensor width. An inch figure is a name, not a size: choose the format below.",
         asks: &[LENS, fields::SENSOR_WIDTH, FRAME_WIDTH],
         target: FOCAL_LENGTH,
-        compute: |values| {
-            let [lens, sensor, width] = *values else { return incomplete() };
+        compute: Compute::Three(|lens, sensor, width| {
             let (lens, sensor) = (Length::from_m(lens), Length::from_m(sensor));
             found(camera::focal_length_from_sensor_width(lens, sensor, Pixels::new(width)))
-        },
+        }),
     },
     Way {
         key: "horizontal-view",
@@ -114,10 +122,7 @@ pub const FOCAL_LENGTHS: &[Way] = &[
         remark: "fx = (width / 2) / tan(view / 2). A datasheet often gives the view before rectification, which is wider.",
         asks: &[fields::HORIZONTAL_VIEW, FRAME_WIDTH],
         target: FOCAL_LENGTH,
-        compute: |values| {
-            let [view, width] = *values else { return incomplete() };
-            from_view(view, Pixels::new(width))
-        },
+        compute: Compute::Two(|view, width| from_view(view, Pixels::new(width))),
     },
     Way {
         key: "vertical-view",
@@ -125,10 +130,7 @@ pub const FOCAL_LENGTHS: &[Way] = &[
         remark: "fy = (height / 2) / tan(view / 2); with square pixels fx is the same.",
         asks: &[fields::VERTICAL_VIEW, FRAME_HEIGHT],
         target: FOCAL_LENGTH,
-        compute: |values| {
-            let [view, height] = *values else { return incomplete() };
-            from_view(view, Pixels::new(height))
-        },
+        compute: Compute::Two(|view, height| from_view(view, Pixels::new(height))),
     },
     Way {
         key: "diagonal-view",
@@ -136,10 +138,23 @@ pub const FOCAL_LENGTHS: &[Way] = &[
         remark: "fx = ½ · √(width² + height²) / tan(view / 2).",
         asks: &[fields::DIAGONAL_VIEW, FRAME_WIDTH, FRAME_HEIGHT],
         target: FOCAL_LENGTH,
-        compute: |values| {
-            let [view, width, height] = *values else { return incomplete() };
-            from_view(view, camera::diagonal(Pixels::new(width), Pixels::new(height)))
-        },
+        compute: Compute::Three(|view, width, height| from_view(view, camera::diagonal(Pixels::new(width), Pixels::new(height)))),
+    },
+    Way {
+        key: "multiple-of-width",
+        name: "Multiple of the image width",
+        remark: "fx = multiple · width. Some file formats and programs have the focal length in widths of the image.",
+        asks: &[fields::MULTIPLE, FRAME_WIDTH],
+        target: FOCAL_LENGTH,
+        compute: Compute::Two(|multiple, width| found(camera::focal_length_from_multiple(multiple, Pixels::new(width)))),
+    },
+    Way {
+        key: "multiple-of-half-width",
+        name: "Multiple of half the image width",
+        remark: "fx = multiple · width / 2: OpenGL’s and Unity’s projection matrix has it in row 1, column 1 (P00).",
+        asks: &[fields::MULTIPLE, FRAME_WIDTH],
+        target: FOCAL_LENGTH,
+        compute: Compute::Two(|multiple, width| found(camera::focal_length_from_multiple(multiple, Pixels::new(width / 2.0)))),
     },
     Way {
         key: "reference-photo",
@@ -151,11 +166,10 @@ pub const FOCAL_LENGTHS: &[Way] = &[
             fields::REFERENCE_REAL_WIDTH,
         ],
         target: FOCAL_LENGTH,
-        compute: |values| {
-            let [width, distance, real] = *values else { return incomplete() };
+        compute: Compute::Three(|width, distance, real| {
             let (distance, real) = (Length::from_m(distance), Length::from_m(real));
             found(camera::focal_length_from_reference_photo(Pixels::new(width), distance, real))
-        },
+        }),
     },
     Way {
         key: "other-resolution",
@@ -163,13 +177,10 @@ pub const FOCAL_LENGTHS: &[Way] = &[
         remark: "Resizing scales fx and the disparity, never the baseline. Cropping changes neither: enter the width before the crop.",
         asks: &[fields::KNOWN_FOCAL_LENGTH, fields::WIDTH_BEFORE, fields::WIDTH_AFTER],
         target: FOCAL_LENGTH,
-        compute: |values| {
-            let [focal_length, before, after] = *values else {
-                return incomplete();
-            };
+        compute: Compute::Three(|focal_length, before, after| {
             let px = Pixels::new;
             found(camera::resized_focal_length(px(focal_length), px(before), px(after)))
-        },
+        }),
     },
 ];
 
@@ -181,14 +192,13 @@ pub const DISPARITIES: &[Way] = &[
         remark: "d = x left − x right, in the rectified images.",
         asks: &[fields::LEFT_COLUMN, fields::RIGHT_COLUMN],
         target: DISPARITY,
-        compute: |values| {
-            let [left, right] = *values else { return incomplete() };
+        compute: Compute::Two(|left, right| {
             Ok(
                 disparity::from_columns(Measured::from_base(left, 0.0), Measured::from_base(right, 0.0))
                     .value
                     .px(),
             )
-        },
+        }),
     },
     Way {
         key: "opencv",
@@ -196,15 +206,14 @@ pub const DISPARITIES: &[Way] = &[
         remark: "They store sixteenths of a pixel in 16-bit numbers; (minDisparity − 1) · 16 means that nothing was found.",
         asks: &[STORED_VALUE, fields::MIN_DISPARITY],
         target: DISPARITY,
-        compute: |values| {
-            let [stored, min_disparity] = *values else { return incomplete() };
+        compute: Compute::Two(|stored, min_disparity| {
             if min_disparity.fract() != 0.0 || min_disparity.abs() > 30_000.0 {
                 return Err(Issue::MinDisparityNotWhole);
             }
             #[expect(clippy::cast_possible_truncation, reason = "checked to be whole and small")]
             let min_disparity = min_disparity as i32;
             decoded(Encoding::OpenCv { min_disparity }, stored)
-        },
+        }),
     },
     Way {
         key: "kitti",
@@ -212,10 +221,7 @@ pub const DISPARITIES: &[Way] = &[
         remark: "It stores 256ths of a pixel; 0 means that there is none.",
         asks: &[STORED_VALUE],
         target: DISPARITY,
-        compute: |values| {
-            let [stored] = *values else { return incomplete() };
-            decoded(Encoding::Kitti, stored)
-        },
+        compute: Compute::One(|stored| decoded(Encoding::Kitti, stored)),
     },
     Way {
         key: "depthai",
@@ -223,8 +229,7 @@ pub const DISPARITIES: &[Way] = &[
         remark: "With 3, 4 or 5 sub-pixel bits it stores 8ths, 16ths or 32nds of a pixel.",
         asks: &[STORED_VALUE, fields::SUBPIXEL_BITS],
         target: DISPARITY,
-        compute: |values| {
-            let [stored, bits] = *values else { return incomplete() };
+        compute: Compute::Two(|stored, bits| {
             let bits = match bits {
                 3.0 => SubpixelBits::Three,
                 4.0 => SubpixelBits::Four,
@@ -232,7 +237,7 @@ pub const DISPARITIES: &[Way] = &[
                 _ => return Err(Issue::WrongSubpixelBits),
             };
             decoded(Encoding::DepthAi(bits), stored)
-        },
+        }),
     },
     Way {
         key: "fraction",
@@ -240,11 +245,10 @@ pub const DISPARITIES: &[Way] = &[
         remark: "Some networks give the disparity as a part of the width of the image.",
         asks: &[fields::FRACTION, FRAME_WIDTH],
         target: DISPARITY,
-        compute: |values| {
-            let [fraction, width] = *values else { return incomplete() };
+        compute: Compute::Two(|fraction, width| {
             let image_width = Pixels::new(width);
             decoded(Encoding::FractionOfWidth { image_width }, fraction)
-        },
+        }),
     },
     Way {
         key: "zed",
@@ -252,10 +256,7 @@ pub const DISPARITIES: &[Way] = &[
         remark: "The ZED SDK gives disparities with the opposite sign.",
         asks: &[fields::ZED_DISPARITY],
         target: DISPARITY,
-        compute: |values| {
-            let [stored] = *values else { return incomplete() };
-            decoded(Encoding::Zed, stored)
-        },
+        compute: Compute::One(|stored| decoded(Encoding::Zed, stored)),
     },
     Way {
         key: "principal-points",
@@ -263,12 +264,11 @@ pub const DISPARITIES: &[Way] = &[
         remark: "doffs = cx right − cx left. Stereo then reads D = fx · b / (d + doffs). Zero for most rectified pairs.",
         asks: &[fields::LEFT_CX, fields::RIGHT_CX],
         target: DOFFS,
-        compute: |values| {
-            let [left, right] = *values else { return incomplete() };
+        compute: Compute::Two(|left, right| {
             Ok(disparity::doffs(Measured::from_base(left, 0.0), Measured::from_base(right, 0.0))
                 .value
                 .px())
-        },
+        }),
     },
     Way {
         key: "doffs",
@@ -276,16 +276,27 @@ pub const DISPARITIES: &[Way] = &[
         remark: "Middlebury's calib.txt has it by this name.",
         asks: &[fields::FILE_DOFFS],
         target: DOFFS,
-        compute: |values| {
-            let [doffs] = *values else { return incomplete() };
-            Ok(doffs)
-        },
+        compute: Compute::One(Ok),
     },
 ];
 
-/// For a number of values that no caller gives: [`Way::solve`] counts them.
-const fn incomplete() -> Result<f64, Issue> {
-    Ok(f64::NAN)
+/// Whether a field of view is so small that its number is an angle in radians: below π, a telescope's in degrees.
+fn may_be_radians(reading: &Reading) -> bool {
+    let is_view = [fields::HORIZONTAL_VIEW, fields::VERTICAL_VIEW, fields::DIAGONAL_VIEW].contains(&reading.key);
+    is_view && !reading.unit_was_typed && (0.0..PI).contains(&reading.number) && reading.number > 0.0
+}
+
+/// Asks which of the two it is.
+fn degrees_or_radians(reading: &Reading) -> Note {
+    let number = reading.number_text.clone();
+    let fixes = [" rad", "°"].map(|unit| {
+        let value = format!("{number}{unit}");
+        Fix {
+            entry: Entry::new(value.clone(), None),
+            value,
+        }
+    });
+    Note::error(reading.key, Issue::DegreesOrRadians { number }).with_fixes(fixes.into())
 }
 
 fn from_view(view: f64, extent: Pixels) -> Result<f64, Issue> {

@@ -2,9 +2,10 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
 use depth_core::problem::Field;
-use depth_core::quantity::LengthUnit;
+use depth_generators::{any_magnitude, any_unit};
 use depth_text::entry::Entry;
 use depth_text::export::{Exporter as _, Results, Text};
+use depth_text::field::Key;
 use depth_text::fields::TABLE;
 use depth_text::form::Inputs;
 use depth_text::sentences::Statement;
@@ -13,11 +14,6 @@ use proptest::prelude::*;
 
 fn close(got: f64, expected: f64, relative: f64) -> bool {
     (got / expected - 1.0).abs() <= relative
-}
-
-/// Positive numbers of every magnitude an f64 has.
-fn any_magnitude() -> impl Strategy<Value = f64> {
-    (-300.0..300.0f64).prop_map(|exponent| 10f64.powf(exponent))
 }
 
 /// Text that looks enough like numbers to reach every branch of the reader, and text that does not.
@@ -29,25 +25,21 @@ fn typed_text() -> impl Strategy<Value = String> {
     ]
 }
 
-fn unit() -> impl Strategy<Value = LengthUnit> {
-    proptest::sample::select(LengthUnit::ALL.to_vec())
-}
-
 proptest! {
     /// Whatever is typed or stored: no panic, no NaN and no infinity in any text that is shown or copied.
     #[test]
     fn no_text_that_can_be_typed_shows_nan_or_infinity(
-        texts in proptest::array::uniform5(typed_text()), baseline_unit in unit(), result_unit in unit(), steps in -20..20i32,
+        texts in proptest::array::uniform7(typed_text()), baseline_unit in any_unit(), result_unit in any_unit(), steps in -20..20i32,
     ) {
         let mut inputs = Inputs::default();
         for (field, text) in Field::ALL.into_iter().zip(&texts) {
-            *inputs.entry_mut(field) = Entry::new(text.clone(), field.is_length().then_some(baseline_unit));
+            *inputs.entry_mut(field) = Entry::new(text.clone(), Key::from(field).is_length().then_some(baseline_unit));
         }
         let assessment = inputs.assess();
-        let rows = report::parameter_rows(&assessment.solution);
+        let rows = report::parameter_rows(&assessment, result_unit);
         let shown = rows.iter().map(|row| row.value.clone())
             .chain([report::length(assessment.solution.stereo.distance(), result_unit)])
-            .chain(report::one_pixel_around(&assessment.solution, result_unit))
+            .chain(report::one_pixel_range(&assessment.solution, result_unit))
             .chain([Statement::widths(&assessment.solution).to_string()]);
         for text in shown {
             prop_assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
@@ -65,10 +57,10 @@ proptest! {
 
     /// Every correction that a note offers is itself accepted without an error.
     #[test]
-    fn corrections_correct(text in typed_text(), unit in unit()) {
+    fn corrections_correct(text in typed_text(), unit in any_unit()) {
         for field in Field::ALL {
             let mut inputs = Inputs::default();
-            *inputs.entry_mut(field) = Entry::new(text.clone(), field.is_length().then_some(unit));
+            *inputs.entry_mut(field) = Entry::new(text.clone(), Key::from(field).is_length().then_some(unit));
             let Some(note) = inputs.assess().note(field).cloned() else { continue };
             for fix in &note.fixes {
                 let mut fixed = inputs.clone();

@@ -1,7 +1,9 @@
 //! The ways to a focal length, a disparity and doffs.
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, missing_docs, reason = "tests")]
 
 use depth_text::entry::Entries;
+use depth_text::fields;
+use depth_text::form::Inputs;
 use depth_text::note::{Issue, Note};
 use depth_text::ways::{DISPARITIES, FOCAL_LENGTHS, Way};
 
@@ -84,6 +86,47 @@ fn units_that_were_typed_are_converted_or_refused() {
     assert!(compute(DISPARITIES, "KITTI, 16-bit image", &["12800 px"]).is_err());
 }
 
+/// 1.047 rad is 59.99°: 320/2/tan(0.5235) = 277.19 px. As degrees it would be 17 511 px.
+#[test]
+fn a_view_that_may_be_in_radians_is_asked_about() {
+    let of = |view: &str, width| compute(FOCAL_LENGTHS, "Horizontal field of view", &[view, width]);
+    let note = of("1.047", "320").unwrap_err();
+    let labels: Vec<_> = note.fixes.iter().map(|fix| fix.label()).collect();
+    assert_eq!(labels, ["Use 1.047 rad", "Use 1.047°"]);
+    for (view, expected) in [("1.047 rad", 277.19), ("1.047°", 17_511.0), ("60°", 277.13), ("3.2", 5728.0)] {
+        let found = of(view, "320").unwrap().unwrap();
+        assert!((found / expected - 1.0).abs() < 1e-4, "{view}: {found}");
+    }
+    // An honest telephoto lens.
+    assert!((of("6", "640").unwrap().unwrap() - 6105.96).abs() < 0.01);
+    // What was answered stays answered when the field is left.
+    let mut entry = note.fixes[1].entry.clone();
+    entry.tidy(fields::HORIZONTAL_VIEW);
+    let mut entries = Entries::default();
+    *entries.entry_mut(fields::HORIZONTAL_VIEW) = entry;
+    entries.entry_mut(fields::FRAME_WIDTH).text = "320".into();
+    let way = Way::named(FOCAL_LENGTHS, "horizontal-view").unwrap();
+    assert!(way.solve(&entries).value.is_some());
+}
+
+/// 0.97428 at 800 px: 779.4 px and a view of 54.3°, or 389.7 px and 91.5°.
+#[test]
+fn a_focal_length_may_be_a_multiple_of_the_width_or_of_half_of_it() {
+    for (name, expected) in [
+        ("Multiple of the image width", 779.424),
+        ("Multiple of half the image width", 389.712),
+    ] {
+        let found = compute(FOCAL_LENGTHS, name, &["0.97428", "800"]).unwrap().unwrap();
+        assert!((found - expected).abs() < 1e-9, "{found}");
+    }
+    let mut inputs = Inputs::default();
+    inputs.entry_mut(fields::FOCAL_LENGTH).text = "0.97428".into();
+    let said = inputs.assess().note(fields::FOCAL_LENGTH).unwrap().message();
+    assert!(said.contains("54.3°") && said.contains("91.5°"), "{said}");
+    inputs.entry_mut(fields::FOCAL_LENGTH).text = "22154".into();
+    assert_eq!(inputs.assess().notes, [], "a telephoto lens of a system camera");
+}
+
 #[test]
 fn nothing_is_said_while_something_is_missing() {
     assert_eq!(compute(FOCAL_LENGTHS, "Lens and pixel size", &["4", ""]), Ok(None));
@@ -92,7 +135,7 @@ fn nothing_is_said_while_something_is_missing() {
 
 #[test]
 fn invalid_values_of_opencv_are_recognized_for_the_min_disparity_given() {
-    for (stored, min_disparity) in [("-16", "0"), ("240", "16"), ("-272", "-16")] {
+    for (stored, min_disparity) in [("-16", "0"), ("240", "16"), ("-272", "-16"), ("-272", "0"), ("-1", "0")] {
         let note = compute(DISPARITIES, "OpenCV StereoBM or StereoSGBM", &[stored, min_disparity]).unwrap_err();
         assert!(note.message().contains("found nothing"), "{note:?}");
     }

@@ -95,27 +95,27 @@ impl Writer<'_> {
         Some(rect)
     }
 
-    fn children(&mut self, id: NodeId, around: Rect, within: Within) -> Vec<NodeId> {
+    fn children(&mut self, id: NodeId, parent: Rect, within: Within) -> Vec<NodeId> {
         let Some(node) = self.nodes.get(&id) else { return Vec::new() };
         let mut elements = Vec::new();
         for child in node.children() {
-            self.element(*child, around, within, &mut elements);
+            self.element(*child, parent, within, &mut elements);
         }
         elements
     }
 
-    fn element(&mut self, id: NodeId, around: Rect, within: Within, siblings: &mut Vec<NodeId>) {
+    fn element(&mut self, id: NodeId, parent: Rect, within: Within, siblings: &mut Vec<NodeId>) {
         let Some(node) = self.nodes.get(&id) else { return };
         if node.is_hidden() || node.role() == Role::TextRun || self.page.get(id).is_some() {
             return;
         }
         let Some(shape) = roles::shape(node, within) else {
-            siblings.extend(self.children(id, around, within));
+            siblings.extend(self.children(id, parent, within));
             return;
         };
         let rect = self.rects.get(&id).copied().unwrap_or(Rect::ZERO);
         let mut element = Element::new(id, node, shape, within, self.input_mode);
-        element.place = place(rect, around);
+        element.place = place(rect, parent);
         self.page.push(element);
         siblings.push(id);
 
@@ -130,7 +130,7 @@ impl Writer<'_> {
         } else {
             // No control contains another one. What egui hangs below it, its menu for one, follows it.
             let before = self.page.elements().len();
-            siblings.extend(self.children(id, around, Within::Page));
+            siblings.extend(self.children(id, parent, Within::Page));
             self.link_popup(id, before);
         }
     }
@@ -242,12 +242,12 @@ fn rounded(rect: Rect) -> Rect {
     Rect::new(rect.x0.round(), rect.y0.round(), rect.x1.round(), rect.y1.round())
 }
 
-fn place(rect: Rect, around: Rect) -> Place {
+fn place(rect: Rect, parent: Rect) -> Place {
     let rect = rounded(rect);
     Place {
         // Not minus zero, which is written in another way.
-        left: rect.x0 - around.x0 + 0.0,
-        top: rect.y0 - around.y0 + 0.0,
+        left: rect.x0 - parent.x0 + 0.0,
+        top: rect.y0 - parent.y0 + 0.0,
         // An element without size is not there for a browser.
         width: rect.width().max(1.0),
         height: rect.height().max(1.0),

@@ -1,30 +1,27 @@
 //! The chart of stereo distance against monocular distance.
 
+use super::card::Card;
+use crate::app::sentences::{Description, Hint};
 use crate::app::theme::{self, Palette};
 use crate::app::widgets::{picture, plot};
 use crate::core::problem::{Method, Solution};
 use crate::core::quantity::{Length, LengthUnit};
 use crate::core::uncertainty::Interval;
+use depth_text::names::Named as _;
 use depth_text::{number, report};
 use egui::{Align2, RichText, Stroke, Ui};
 use egui_plot::{Bar, BarChart, GridMark, Line, PlotPoint, PlotPoints, PlotUi, Text};
 
-pub const TITLE: &str = "Stereo against monocular";
-
 /// Draws the chart.
 pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
     let Some(model) = Model::new(solution, unit) else {
-        picture::empty(
-            ui,
-            TITLE,
-            "The distances of both methods side by side, as soon as one of them is known.",
-        );
+        picture::empty_ui(ui, Card::Bars.title(), &Hint::NoBars);
         return;
     };
     let top = model.top;
     let marks = plot::marks(top);
     let palette = theme::palette(ui);
-    let response = plot::plot(ui, "bars", -0.75..=1.75)
+    let response = plot::plot_ui(ui, "bars", -0.75..=1.75)
         .show_grid([false, true])
         .y_grid_spacer(move |_| marks.clone())
         .x_grid_spacer(|_| [0.0, 1.0].map(|value| GridMark { value, step_size: 1.0 }).to_vec())
@@ -42,7 +39,7 @@ pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
             }
         })
         .response;
-    picture::describe(ui, &response, TITLE, &description(solution, unit));
+    picture::describe(ui, &response, Card::Bars.title(), &Description::Bars { solution, unit });
 }
 
 /// The bars, and the round number at the top of the axis.
@@ -65,15 +62,15 @@ impl Model {
     fn new(solution: &Solution, unit: LengthUnit) -> Option<Self> {
         let bar = |method| {
             let distance = solution.outcome(method).distance()?.in_unit(unit);
-            let known = solution.uncertainty(method);
-            let label = match known {
-                Some(known) => report::with_sigma(Length::new(distance, unit), known.sigma, unit).text(unit),
+            let uncertainty = solution.uncertainty(method);
+            let label = match uncertainty {
+                Some(uncertainty) => report::with_sigma(Length::new(distance, unit), uncertainty.sigma, unit).text(unit),
                 None => format!("{} {}", number::significant(distance, report::DIGITS), unit.symbol()),
             };
             distance.is_normal().then_some(MethodBar {
                 method,
                 distance,
-                interval: known.map(|known| known.interval),
+                interval: uncertainty.map(|uncertainty| uncertainty.interval),
                 label,
             })
         };
@@ -121,23 +118,4 @@ impl MethodBar {
                 .allow_hover(false),
         );
     }
-}
-
-fn description(solution: &Solution, unit: LengthUnit) -> String {
-    let said: Vec<String> = Method::ALL
-        .into_iter()
-        .map(|method| {
-            let distance = solution.outcome(method).distance();
-            let words = match (distance, solution.uncertainty(method)) {
-                (Some(distance), Some(known)) => format!(
-                    "{}, from {}",
-                    report::with_sigma(distance, known.sigma, unit).text(unit),
-                    report::interval(known, unit)
-                ),
-                _ => report::length(distance, unit),
-            };
-            format!("{} distance {words}", method.name())
-        })
-        .collect();
-    format!("Bar chart. {}.", said.join(", "))
 }

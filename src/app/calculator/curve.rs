@@ -1,17 +1,16 @@
 //! The curve of distance against disparity for the current camera, with the current point on it, which can be dragged.
 
+use super::card::Card;
 use crate::app::command::Command;
+use crate::app::sentences::{Description, Hint};
 use crate::app::theme;
 use crate::app::widgets::{picture, plot};
-use crate::core::problem::{Field, Solution};
+use crate::core::problem::{Field, Problem, Solution};
 use crate::core::quantity::{Length, LengthUnit, Pixels};
-use crate::core::stereo;
 use depth_text::{number, report};
 use egui::accesskit::{Action, ActionData, Role};
 use egui::{Align2, CursorIcon, Id, Key, Rect, Response, Sense, Stroke, Ui, pos2, vec2};
 use egui_plot::{Line, PlotPoint, PlotPoints, PlotResponse};
-
-pub const TITLE: &str = "Distance against disparity";
 
 /// State between frames: while the point is dragged, the axes do not change.
 #[derive(Debug, Default)]
@@ -23,24 +22,24 @@ pub struct Curve {
 /// be drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Model {
-    /// fx·b, as the depth at one pixel of disparity, m.
+    /// The depth at one pixel of disparity, m: fx·b/(1 px).
     depth_at_one_px_m: f64,
     disparity_end_px: f64,
     depth_end_m: f64,
 }
 
 impl Model {
-    /// The model for a camera, around `disparity` if there is one.
-    fn new(focal_length: Pixels, baseline: Length, disparity: Option<Pixels>) -> Option<Self> {
+    /// The model of the pair of cameras in `problem`, with axes that show the curve on both sides of `disparity`, or of the middle of
+    /// the usual disparities. `None` unless the pair is known and every number can be drawn.
+    fn new(problem: &Problem, disparity: Option<Pixels>) -> Option<Self> {
         let (low, high) = Field::Disparity.usual_range();
-        let around = disparity.map_or((low * high).sqrt(), Pixels::px);
-        let depth = stereo::depth(focal_length, baseline, Pixels::new(around)).m();
+        let center = disparity.unwrap_or(Pixels::new((low * high).sqrt()));
         let model = Self {
-            depth_at_one_px_m: stereo::depth(focal_length, baseline, Pixels::new(1.0)).m(),
-            disparity_end_px: plot::round_up(around * 1.6),
-            depth_end_m: plot::round_up(depth * 1.6),
+            depth_at_one_px_m: problem.depth_at(Pixels::new(1.0))?.m(),
+            disparity_end_px: plot::round_up(center.px() * 1.6),
+            depth_end_m: plot::round_up(problem.depth_at(center)?.m() * 1.6),
         };
-        [model.depth_at_one_px_m, model.disparity_end_px, model.depth_end_m, around]
+        [model.depth_at_one_px_m, model.disparity_end_px, model.depth_end_m, center.px()]
             .iter()
             .all(|value| value.is_normal())
             .then_some(model)
@@ -64,10 +63,9 @@ impl Model {
     /// The disparity at fraction `x` of the axis, rounded to what the picture, `width` points wide, can resolve.
     fn disparity_at(&self, x: f64, width: f32) -> f64 {
         let resolution = 10f64.powf((self.disparity_end_px / f64::from(width.max(1.0))).log10().floor());
-        let x = x.clamp(0.0, 1.0);
-        let disparity = ((x * self.disparity_end_px / resolution).round() * resolution).max(resolution);
-        // 33.3, not 33.300000000000004: what the field will show.
-        number::plain(disparity).parse().unwrap_or(disparity)
+        let disparity = (x.clamp(0.0, 1.0) * self.disparity_end_px).max(resolution);
+        // The number that the field will show.
+        number::rounded_to(disparity, resolution)
     }
 }
 
@@ -79,26 +77,18 @@ impl Curve {
             .disparity
             .map(|disparity| disparity.value)
             .filter(|_| solution.stereo.distance().is_some());
-        let model = match (problem.focal_length, problem.baseline) {
-            (Some(f), Some(b)) => self.held.or_else(|| Model::new(f.value, b.value, disparity)),
-            _ => None,
-        };
-        let Some(model) = model else {
+        let is_pair = problem.focal_length.is_some() && problem.baseline.is_some();
+        let held = self.held.filter(|_| is_pair);
+        let Some(model) = held.or_else(|| Model::new(problem, disparity)) else {
             self.held = None;
-            picture::empty(
-                ui,
-                TITLE,
-                "How fast the distance grows as the disparity shrinks, once focal length and baseline are known.",
-            );
+            picture::empty_ui(ui, Card::Curve.title(), &Hint::NoCurve);
             return;
         };
         let drawn = plot_ui(ui, model, unit);
-        let point = disparity
-            .zip(solution.stereo.distance())
-            .map(|(disparity, distance)| Point::new(disparity, distance, unit));
-        picture::describe(ui, &drawn.plot.response, TITLE, &description(point.as_ref()));
-        if let Some(point) = point {
-            self.point_ui(ui, &drawn, &point, commands);
+        let point = disparity.zip(solution.stereo.distance());
+        picture::describe(ui, &drawn.plot.response, Card::Curve.title(), &Description::Curve { point, unit });
+        if let Some((disparity, distance)) = point {
+            self.point_ui(ui, &drawn, &Point::new(disparity, distance, unit), commands);
         }
     }
 
@@ -175,18 +165,6 @@ impl Point {
     }
 }
 
-fn description(point: Option<&Point>) -> String {
-    const CURVE: &str = "Curve of distance against disparity, falling as one over the disparity.";
-    match point {
-        Some(point) => format!(
-            "{CURVE} At {} px the distance is {}.",
-            number::plain(point.disparity_px),
-            point.distance
-        ),
-        None => format!("{CURVE} Enter a disparity to see its point."),
-    }
-}
-
 /// Where on the axis of disparities, as a fraction of it, the person wants the point; `None` where it is to stay.
 fn wanted(ui: &Ui, handle: &Response, drawn: &Drawn, point: &Point) -> Option<f64> {
     let Drawn { model, plot } = drawn;
@@ -237,7 +215,12 @@ fn paint_point(ui: &Ui, handle: &Response, frame: Rect, at: egui::Pos2, words: &
     let palette = theme::palette(ui);
     let held = handle.hovered() || handle.dragged() || handle.has_focus();
     let color = if held { palette.text } else { palette.blue };
-    ui.painter().circle(at, 7.0, palette.surface, Stroke::new(theme::THICK_LINE, color));
+    ui.painter().circle(
+        at,
+        theme::CURVE_POINT_RADIUS,
+        palette.surface,
+        Stroke::new(theme::THICK_LINE, color),
+    );
     label(ui, frame, at, words);
 }
 
@@ -247,15 +230,16 @@ fn label(ui: &Ui, frame: Rect, at: egui::Pos2, text: &str) {
     let galley = ui
         .painter()
         .layout_no_wrap(text.to_owned(), theme::regular(theme::SMALL_SIZE), palette.text);
-    let fits_right = at.x + 14.0 + galley.size().x < frame.right();
+    let fits_right = at.x + theme::CURVE_LABEL_GAP + galley.size().x < frame.right();
     let x = if fits_right {
-        at.x + 14.0
+        at.x + theme::CURVE_LABEL_GAP
     } else {
-        (at.x - 14.0 - galley.size().x).max(frame.left())
+        (at.x - theme::CURVE_LABEL_GAP - galley.size().x).max(frame.left())
     };
-    let y = (at.y - 12.0 - galley.size().y).clamp(frame.top(), frame.bottom() - galley.size().y);
+    let y = (at.y - theme::CURVE_LABEL_RISE - galley.size().y).clamp(frame.top(), frame.bottom() - galley.size().y);
     let rect = Align2::LEFT_TOP.anchor_size(pos2(x, y), galley.size());
-    ui.painter().rect_filled(rect.expand(2.0), theme::MARK_RADIUS, palette.surface);
+    ui.painter()
+        .rect_filled(rect.expand(theme::CURVE_LABEL_PADDING), theme::MARK_RADIUS, palette.surface);
     ui.painter().galley(rect.min, galley, palette.text);
 }
 
@@ -264,7 +248,7 @@ fn plot_ui(ui: &mut Ui, model: Model, unit: LengthUnit) -> Drawn {
     let depth_end = Length::from_m(model.depth_end_m).in_unit(unit);
     let disparity_end = model.disparity_end_px;
     let (x_marks, y_marks) = (plot::marks(disparity_end), plot::marks(depth_end));
-    let plot = plot::plot(ui, "curve", 0.0..=1.0)
+    let plot = plot::plot_ui(ui, "curve", 0.0..=1.0)
         .x_axis_label("Disparity (px)")
         .x_grid_spacer(move |_| x_marks.clone())
         .y_grid_spacer(move |_| y_marks.clone())
@@ -272,7 +256,7 @@ fn plot_ui(ui: &mut Ui, model: Model, unit: LengthUnit) -> Drawn {
         .y_axis_formatter(move |mark, _| plot::mark_label(mark, depth_end, unit))
         .show(ui, |plot| {
             let line = Line::new("distance", PlotPoints::from(model.points()));
-            plot.line(line.color(color).width(2.5).allow_hover(false));
+            plot.line(line.color(color).width(theme::CURVE_LINE).allow_hover(false));
         });
     Drawn { model, plot }
 }
@@ -282,8 +266,15 @@ fn plot_ui(ui: &mut Ui, model: Model, unit: LengthUnit) -> Drawn {
 mod tests {
     use super::*;
 
+    fn model(focal_length_px: f64, baseline_m: f64, disparity_px: Option<f64>) -> Option<Model> {
+        let mut problem = Problem::default();
+        problem.set(Field::FocalLength, Some(focal_length_px));
+        problem.set(Field::Baseline, Some(baseline_m));
+        Model::new(&problem, disparity_px.map(Pixels::new))
+    }
+
     fn mug() -> Model {
-        Model::new(Pixels::new(700.0), Length::from_m(0.1), Some(Pixels::new(50.0))).unwrap()
+        model(700.0, 0.1, Some(50.0)).unwrap()
     }
 
     #[test]
@@ -312,7 +303,7 @@ mod tests {
 
     #[test]
     fn extreme_cameras_have_no_curve_rather_than_a_broken_one() {
-        assert_eq!(Model::new(Pixels::new(1e300), Length::from_m(1e300), None), None);
-        assert!(Model::new(Pixels::new(1e150), Length::from_m(1e-150), None).is_some());
+        assert_eq!(model(1e300, 1e300, None), None);
+        assert!(model(1e150, 1e-150, None).is_some());
     }
 }

@@ -4,11 +4,11 @@ use super::unknown;
 use crate::app::command::{Command, Helper};
 use crate::app::context::AppContext;
 use crate::app::platform::COPY_RESULTS;
-use crate::app::sentences::Sentence;
+use crate::app::sentences::NoticeText;
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::text;
-use crate::core::disparity::MATCHING_ERRORS;
+use depth_text::choices::MATCHING_ERRORS;
 use depth_text::field::{Key, Section};
 use depth_text::fields;
 use depth_text::form::Example;
@@ -25,7 +25,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
             ui.spacing_mut().item_spacing.y = theme::STEP;
             unknown::ui(ui, cx);
             fields_ui(ui, cx, marked);
-            scoped(ui, "buttons", |ui| {
+            part_ui(ui, Part::Buttons, |ui| {
                 buttons_ui(ui, cx);
                 ui.add_space(theme::STEP);
                 examples_ui(ui, cx);
@@ -36,17 +36,17 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
 }
 
 fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
-    for section in Section::ALL {
-        scoped(ui, section.name(), |ui| {
-            text::card_heading(ui, section.name());
-            let mut space = 2.0;
+    for section in Section::FORM {
+        part_ui(ui, Part::Section(section), |ui| {
+            text::card_heading_ui(ui, section.name());
+            let mut space = theme::FIRST_FIELD_SPACE;
             for key in section.keys() {
                 // Most rigs have no doffs, so the field is hidden until there is one.
                 if !cx.session.inputs.shows(key) {
                     continue;
                 }
                 ui.add_space(space);
-                scoped(ui, key.as_str(), |ui| field_ui(ui, cx, key, marked));
+                part_ui(ui, Part::Field(key.as_str()), |ui| field_ui(ui, cx, key, marked));
                 space = 2.0 * theme::STEP;
             }
         });
@@ -86,9 +86,9 @@ fn typical_errors_ui(ui: &mut Ui, sigma: &mut String, commands: &mut Vec<Command
         .width(ui.available_width())
         .selected_text("Typical matching errors…")
         .show_ui(ui, |ui| {
-            for error in MATCHING_ERRORS {
-                let typical = plain(error.sigma.px());
-                let choice = format!("± {typical} px: {}", error.source);
+            for (sigma_px, source) in MATCHING_ERRORS {
+                let typical = plain(sigma_px);
+                let choice = format!("± {typical} px: {source}");
                 if ui.selectable_label(*sigma == typical, choice).clicked() {
                     *sigma = typical;
                     commands.push(Command::Settle);
@@ -100,10 +100,19 @@ fn typical_errors_ui(ui: &mut Ui, sigma: &mut String, commands: &mut Vec<Command
         .accessible_name("Typical matching errors");
 }
 
+/// A part of the form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Part {
+    Section(Section),
+    /// A field, by its key.
+    Field(&'static str),
+    Buttons,
+}
+
 /// Draws a part of the form in a scope with an id of its own. Otherwise an error that appears would change the ids of all widgets
 /// after it, and with them the nodes that a screen reader knows.
-fn scoped(ui: &mut Ui, name: impl std::hash::Hash + std::fmt::Debug, add_contents: impl FnOnce(&mut Ui)) {
-    let builder = UiBuilder::new().scope_id(egui::Id::unique(("part of the form", name)));
+fn part_ui(ui: &mut Ui, part: Part, add_contents: impl FnOnce(&mut Ui)) {
+    let builder = UiBuilder::new().scope_id(egui::Id::unique(("part of the form", part)));
     ui.scope_builder(builder, add_contents);
 }
 
@@ -138,11 +147,11 @@ fn buttons_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
 
 fn examples_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     ui.horizontal_wrapped(|ui| {
-        text::caption(ui, "Examples:");
+        text::caption_ui(ui, "Examples:");
         for example in Example::ALL {
-            if text::link_button(ui, example.name(), cx.layout).clicked() {
+            if text::link_button_ui(ui, example.name(), cx.layout).clicked() {
                 cx.commands
-                    .push(Command::Open(Box::new(example.inputs()), Sentence::FilledByExample));
+                    .push(Command::Open(Box::new(example.inputs()), NoticeText::FilledByExample));
             }
         }
     });
@@ -152,22 +161,29 @@ fn examples_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
 fn more_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let inputs = &mut cx.session.inputs;
     ui.horizontal_wrapped(|ui| {
-        text::caption(ui, "More:");
+        text::caption_ui(ui, "More:");
         let name = if inputs.with_uncertainty {
             "Hide uncertainty"
         } else {
             "Add uncertainty"
         };
-        if text::link_button(ui, name, cx.layout).clicked() {
+        if text::link_button_ui(ui, name, cx.layout).clicked() {
             inputs.with_uncertainty = !inputs.with_uncertainty;
             cx.commands.push(Command::Settle);
         }
-        if inputs.unknown.is_none() && text::link_button(ui, "Solve for another quantity", cx.layout).clicked() {
+        if inputs.unknown.is_none() && text::link_button_ui(ui, "Solve for another quantity", cx.layout).clicked() {
             inputs.unknown = Some(unknown::FIRST);
             cx.commands.push(Command::Settle);
         }
         let geometry = Command::ShowGeometry(!cx.settings.shows_geometry);
-        if text::link_button(ui, geometry.text(), cx.layout).clicked() {
+        let is_filled = !cx.settings.shows_geometry && inputs.has_geometry();
+        let name = if is_filled {
+            // What is hidden counts all the same.
+            format!("{} (filled in)", geometry.text())
+        } else {
+            geometry.text().to_owned()
+        };
+        if text::link_button_ui(ui, &name, cx.layout).clicked() {
             cx.commands.push(geometry);
         }
     });

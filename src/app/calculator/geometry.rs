@@ -1,105 +1,94 @@
 //! What else the distance gives: the point in space and the range that a tape measures, a tilted target, and the ground
 //! plane as a third method.
 
+use super::card::Card;
 use crate::app::context::AppContext;
+use crate::app::sentences::Hint;
 use crate::app::theme;
+use crate::app::widgets::cards::{self, Row};
 use crate::app::widgets::field::{self, Field};
-use crate::app::widgets::{cards, text};
+use crate::app::widgets::text;
+use crate::core::problem::{Method, Problem};
 use crate::core::quantity::Length;
-use depth_text::field::Key;
+use depth_text::field::{Key, Section};
+use depth_text::fields;
 use depth_text::geometry::Geometry;
-use depth_text::{number, report};
+use depth_text::report;
+use depth_text::style::Style;
 use egui::Ui;
 
 /// Draws the three cards.
-pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry) {
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let (columns, gap) = (cx.layout.columns(), cx.layout.gap());
-    let cards: [Card; 3] = [range_ui, tilt_ui, ground_ui];
-    for (number, row) in cards.chunks(columns).enumerate() {
-        let id = egui::Id::unique(("geometry", columns, number));
-        cards::row(ui, row, gap, |ui, card| card(ui, cx, geometry, id));
+    for row in [Card::Range, Card::Tilt, Card::Ground].chunks(columns) {
+        cards::row_ui(ui, row, gap, |ui, card, row| card_ui(ui, cx, card, row));
     }
 }
 
-type Card = fn(&mut Ui, &mut AppContext<'_>, &Geometry, egui::Id);
-
-fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui::Id) {
-    cards::card(ui, "Depth or range", |ui| {
-        fields_ui(ui, cx, geometry, &Geometry::POINT, "range");
-        if let Some(point) = geometry.point {
-            let length = |length: Length| report::length(Some(length), cx.unit());
-            super::table::pairs(
-                ui,
-                "Point and range",
-                &[
-                    ("X, to the right", length(point.x)),
-                    ("Y, down", length(point.y)),
-                    ("Z, depth along the axis", length(point.z)),
-                    ("R, range from the lens", length(point.range)),
-                ],
-            );
+fn card_ui(ui: &mut Ui, cx: &mut AppContext<'_>, card: Card, row: Row) {
+    cards::card_ui(ui, card, card.title(), |ui| {
+        match card {
+            Card::Range => range_ui(ui, cx),
+            Card::Tilt => tilt_ui(ui, cx),
+            _ => ground_ui(ui, cx),
         }
-        text::caption(
-            ui,
-            "The distance of this program is the depth Z along the optical axis. A tape held at the lens measures the range R, which is longer away from the middle of the image.",
-        );
-        cards::fill_height(ui, row);
+        cards::fill_height_ui(ui, row);
     });
 }
 
-fn tilt_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui::Id) {
-    cards::card(ui, "Tilted target", |ui| {
-        fields_ui(ui, cx, geometry, &Geometry::TILTED, "tilt");
-        if let Some((target, solved)) = geometry.tilted {
-            let share = number::significant(solved.excess * 100.0, 2);
-            super::table::pairs(
-                ui,
-                "Tilted target",
-                &[
-                    ("Monocular distance as computed", report::length(Some(target.apparent), cx.unit())),
-                    ("Corrected for the tilt", report::length(Some(solved.depth), cx.unit())),
-                    ("Too long without it by", format!("{share} %")),
-                ],
-            );
-        }
-        text::caption(
-            ui,
-            "A target turned away by an angle looks narrower by its cosine, so the monocular method puts it too far away. The distance is that to the plane of the target’s middle, along the optical axis.",
-        );
-        cards::fill_height(ui, row);
-    });
+fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    fields_ui(ui, cx, &Geometry::POINT, Card::Range);
+    if let Some((origin, point)) = cx.session.assessment().geometry.point {
+        text::caption_ui(ui, format!("Z {}", report::point_origin(origin)));
+        let rows = report::point(Style::WINDOW, &point, cx.unit());
+        super::table::pairs_ui(ui, "Point and range", &rows);
+    }
+    text::caption_ui(ui, Hint::DepthOrRange.to_string());
 }
 
-fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, row: egui::Id) {
-    cards::card(ui, "Ground plane, a third method", |ui| {
-        fields_ui(ui, cx, geometry, &Geometry::GROUND, "ground");
-        if let Some(distance) = geometry.floor {
-            let words = if distance.sigma.m() > 0.0 {
-                report::with_sigma(distance.value, distance.sigma, cx.unit()).text(cx.unit())
-            } else {
-                report::length(Some(distance.value), cx.unit())
-            };
-            super::table::pairs(ui, "Ground plane", &[("Distance along the floor", words)]);
-        }
-        text::caption(
-            ui,
-            "D = h / tan(θ + atan((v − cy) / fy)): where the ray of an image row meets a level floor. fy is taken to be fx. Needs neither a second camera nor a known size.",
-        );
-        cards::fill_height(ui, row);
-    });
+fn tilt_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    fields_ui(ui, cx, &[fields::TILT], Card::Tilt);
+    let solution = &cx.session.assessment().solution;
+    if let Some(tilt) = solution.problem.tilt
+        && solution.outcome(Method::Monocular).distance().is_some()
+        && let Some(without) = distance_facing(&solution.problem)
+        && tilt.radians() != 0.0
+    {
+        let unit = cx.unit();
+        text::caption_ui(ui, Hint::TiltIsUsed { without, unit }.to_string());
+    }
+    text::caption_ui(ui, Hint::TiltedTarget.to_string());
 }
 
-/// The fields of a card. `card` tells apart a field that is on two of them.
-fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, keys: &[Key], card: &str) {
+/// The monocular distance if the target faced the camera.
+fn distance_facing(problem: &Problem) -> Option<Length> {
+    let facing = Problem { tilt: None, ..*problem };
+    facing.solve().monocular.distance()
+}
+
+fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    fields_ui(ui, cx, &Geometry::GROUND, Card::Ground);
+    if let Some(ground) = &cx.session.assessment().geometry.ground {
+        let rows = report::ground(Style::WINDOW, ground, cx.unit());
+        super::table::pairs_ui(ui, "Ground plane", &rows);
+    }
+    text::caption_ui(ui, Hint::GroundPlane.to_string());
+}
+
+fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, keys: &[Key], card: Card) {
     for &key in keys {
+        let (inputs, assessment) = cx.session.parts();
+        // The camera of the ground plane is that of the range: its fields are on the screen twice.
+        let is_second = card == Card::Ground && key.section == Some(Section::Point);
+        let id = field::id(key);
         let field = Field {
             key,
-            entry: cx.settings.entries.entry_mut(key),
-            reading: geometry.readings.iter().find(|reading| reading.key == key),
-            notes: geometry.notes.iter().filter(|note| note.key == key).collect(),
+            entry: inputs.entry_mut(key),
+            reading: assessment.reading(key),
+            notes: assessment.notes.iter().filter(|note| note.key == key).collect(),
             with_sigma: key.has_sigma,
             helper: None,
-            id: field::id(key).with(card),
+            id: if is_second { id.with("ground") } else { id },
             submits: false,
         };
         field.ui(ui, cx.commands);

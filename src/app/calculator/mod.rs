@@ -1,6 +1,7 @@
 //! The calculator: the form, and everything that follows from it.
 
 mod bars;
+mod card;
 mod curve;
 mod form;
 mod geometry;
@@ -15,14 +16,15 @@ use super::command::Helper;
 use super::context::AppContext;
 use super::session::Session;
 use super::theme::{self, Layout};
-use super::widgets::{cards, field, scroll, text};
+use super::widgets::cards::{self, Row};
+use super::widgets::{field, scroll, text};
 use crate::core::quantity::LengthUnit;
+use card::Card;
 use depth_text::assess::Assessment;
-use depth_text::geometry::Geometry;
 use depth_text::note::Severity;
 use depth_text::report;
 use depth_text::sentences::Statement;
-use egui::{Align, Id, Pos2, Rect, RichText, Ui, UiBuilder};
+use egui::{Align, Pos2, Rect, RichText, Ui, UiBuilder};
 
 /// State of the screen between frames, beside the inputs.
 #[derive(Debug, Default)]
@@ -31,9 +33,7 @@ pub struct Calculator {
     pub marked: bool,
     /// The helper that is open.
     pub helper: Option<Helper>,
-    /// Range, tilt and ground plane.
-    geometry: Geometry,
-    /// What comes of what was typed into the open helper.
+    /// The result of the open helper.
     solved: helpers::Solved,
     reveal: Reveal,
     curve: curve::Curve,
@@ -56,7 +56,7 @@ impl Calculator {
     pub fn ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>) {
         let gap = cx.layout.gap();
         if cx.layout == Layout::Phone {
-            scroll::column(ui, "calculator", |ui| {
+            scroll::column_ui(ui, "calculator", |ui| {
                 ui.spacing_mut().item_spacing.y = gap;
                 self.form_ui(ui, cx);
                 self.results_ui(ui, cx);
@@ -67,7 +67,7 @@ impl Calculator {
             let column = |ui: &mut Ui, rect, id, add_contents: &mut dyn FnMut(&mut Ui)| {
                 let top_down = egui::Layout::top_down(Align::Min);
                 ui.scope_builder(UiBuilder::new().max_rect(rect).layout(top_down), |ui| {
-                    scroll::column(ui, id, |ui| {
+                    scroll::column_ui(ui, id, |ui| {
                         ui.spacing_mut().item_spacing.y = gap;
                         add_contents(ui);
                     });
@@ -88,7 +88,6 @@ impl Calculator {
         if self.reveal == Reveal::Done {
             self.reveal = Reveal::No;
         }
-        self.geometry = Geometry::assess(&cx.settings.entries, &cx.session.assessment().solution);
         if let Some(helper) = self.helper {
             self.solved = helpers::Solved::new(helper, cx.settings);
         }
@@ -104,6 +103,7 @@ impl Calculator {
         let errors = assessment.notes.iter().filter(|note| note.severity == Severity::Error);
         let first = errors.chain(&assessment.missing).map(|note| note.key).min();
         match first {
+            // Nobody sees what is hidden.
             Some(key) => ctx.memory_mut(|memory| memory.request_focus(field::id(key))),
             None => self.reveal_results(ctx),
         }
@@ -130,7 +130,7 @@ impl Calculator {
         self.scroll_to_results(ui, top);
         uncertainty::ui(ui, cx, &self.simulations);
         if cx.settings.shows_geometry {
-            geometry::ui(ui, cx, &self.geometry);
+            geometry::ui(ui, cx);
         }
         self.pictures_ui(ui, cx);
         ui.add_space(cx.layout.gap());
@@ -150,74 +150,53 @@ impl Calculator {
             Layout::Wide => &[Card::Bars, Card::Curve, Card::TopView],
             _ => &[Card::Bars, Card::Curve, Card::Intermediate, Card::TopView],
         };
-        for (number, row) in pictures.chunks(columns).enumerate() {
-            let id = Id::unique(("row of cards", columns, number));
-            cards::row(ui, row, gap, |ui, &card| self.card_ui(ui, cx, card, id));
+        for row in pictures.chunks(columns) {
+            cards::row_ui(ui, row, gap, |ui, card, row| self.card_ui(ui, cx, card, row));
         }
         if cx.layout == Layout::Wide {
-            let id = Id::unique("intermediate and table");
-            cards::row(ui, &[Some(Card::Intermediate), None], gap, |ui, card| match card {
-                Some(card) => self.card_ui(ui, cx, *card, id),
-                None => table::ui(ui, &cx.session.assessment().solution),
+            cards::row_ui(ui, &[Card::Intermediate, Card::Table], gap, |ui, card, row| match card {
+                Card::Table => table::ui(ui, cx.session.assessment(), cx.unit()),
+                card => self.card_ui(ui, cx, card, row),
             });
         } else {
-            table::ui(ui, &cx.session.assessment().solution);
+            table::ui(ui, cx.session.assessment(), cx.unit());
         }
     }
 
-    fn card_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>, card: Card, row: Id) {
+    fn card_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>, card: Card, row: Row) {
         let unit = cx.unit();
         let assessment = cx.session.assessment();
         let solution = &assessment.solution;
-        cards::card(ui, card.title(), |ui| {
+        cards::card_ui(ui, card, card.title(), |ui| {
             match card {
                 Card::Bars => bars::ui(ui, solution, unit),
                 Card::Curve => self.curve.ui(ui, solution, unit, cx.commands),
                 Card::TopView => top_view::ui(ui, solution, unit),
-                Card::Intermediate => intermediate_ui(ui, assessment),
+                _ => intermediate_ui(ui, assessment, unit),
             }
-            cards::fill_height(ui, row);
+            cards::fill_height_ui(ui, row);
         });
     }
 }
 
-#[derive(Clone, Copy)]
-enum Card {
-    Bars,
-    Curve,
-    Intermediate,
-    TopView,
-}
-
-impl Card {
-    const fn title(self) -> &'static str {
-        match self {
-            Self::Bars => bars::TITLE,
-            Self::Curve => curve::TITLE,
-            Self::Intermediate => "Intermediate values",
-            Self::TopView => top_view::TITLE,
-        }
-    }
-}
-
-fn intermediate_ui(ui: &mut Ui, assessment: &Assessment) {
+fn intermediate_ui(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
     let solution = &assessment.solution;
-    let meters = |length| report::length(length, LengthUnit::Meter);
+    let length = |length| report::length(length, unit);
     let width_px = solution.estimated_width_px.map_or_else(
         || depth_text::number::NO_NUMBER.to_owned(),
         |width| depth_text::number::significant(width.px(), report::DIGITS),
     );
-    table::pairs(
+    table::pairs_ui(
         ui,
-        "Intermediate values",
+        Card::Intermediate.title(),
         &[
             (report::ESTIMATED_WIDTH_PX, format!("{width_px} px")),
-            (report::ESTIMATED_WIDTH_M, meters(solution.estimated_width)),
-            ("Object distance (D, stereo)", meters(solution.stereo.distance())),
-            ("Object distance (D, monocular)", meters(solution.monocular.distance())),
+            (&report::estimated_width_name(unit), length(solution.estimated_width)),
+            ("Object distance (D, stereo)", length(solution.stereo.distance())),
+            ("Object distance (D, monocular)", length(solution.monocular.distance())),
         ],
     );
-    text::caption(ui, Statement::widths(solution).to_string());
+    text::caption_ui(ui, Statement::widths(solution).to_string());
 }
 
 /// The contents of the bar that keeps the result in sight on a phone.

@@ -1,19 +1,22 @@
 //! The result cards: the distance by each method whose inputs are complete, and both combined.
 
+use super::card::Card;
 use crate::app::command::Command;
 use crate::app::context::AppContext;
+use crate::app::sentences::Hint;
 use crate::app::theme;
-use crate::app::widgets::unit_choice::length_unit_choice;
+use crate::app::widgets::unit_choice::length_unit_choice_ui;
 use crate::app::widgets::{cards, text};
-use crate::core::agreement::{Suspect, Verdict};
-use crate::core::problem::{Comparison, Method, Solution};
+use crate::core::problem::{Method, Solution};
 use crate::core::quantity::LengthUnit;
-use depth_text::assess::Unknown;
+use depth_text::assess::{Assessment, Unknown};
 use depth_text::field::Key;
+use depth_text::names::Named as _;
 use depth_text::report;
 use depth_text::sentences::Statement;
+use depth_text::style::Style;
 use egui::accesskit::Role;
-use egui::{Id, RichText, Ui, UiBuilder};
+use egui::{RichText, Ui, UiBuilder};
 
 /// The results in one line: pairs of a method's name and its distance, or "–.– m" alone.
 pub fn headline(solution: &Solution, unit: LengthUnit) -> Vec<(Option<&'static str>, String)> {
@@ -40,28 +43,26 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     if let Some(unknown) = &assessment.unknown {
         let inputs = &cx.session.inputs;
         let unit = inputs.unknown.and_then(|(_, field)| assessment.length_unit(field, inputs));
-        card(ui, Key::from(unknown.field).name, |ui| solved_ui(ui, unknown, unit));
+        card_ui(ui, Card::Solved(unknown.field), |ui| solved_ui(ui, unknown, unit));
     }
-    let mut shown: Vec<Shown<'_>> = Method::ALL
-        .into_iter()
-        .filter(|&method| solution.outcome(method).distance().is_some())
-        .map(Shown::Method)
-        .collect();
-    if shown.is_empty() {
-        card(ui, "Result", |ui| empty_ui(ui, unit));
+    let has_distance = |method| solution.outcome(method).distance().is_some();
+    if !Method::ALL.into_iter().any(has_distance) {
+        card_ui(ui, Card::NoResult, |ui| empty_ui(ui, cx));
         return;
     }
-    shown.extend(solution.comparison.as_ref().map(Shown::Comparison));
+    let shows = |&method: &Method| has_distance(method) || assessment.refusal(method).is_some();
+    let mut shown: Vec<Card> = Method::ALL.into_iter().filter(shows).map(Card::Distance).collect();
+    let agreement = Statement::comparison(solution);
+    shown.extend((solution.combined.is_some() || agreement.is_some()).then_some(Card::Combined));
     let columns = if layout.columns() == 1 { 1 } else { shown.len() };
-    for (number, row) in shown.chunks(columns).enumerate() {
-        let id = Id::unique(("results", columns, number));
-        cards::row(ui, row, layout.gap(), |ui, &shown| {
-            card(ui, shown.name(), |ui| {
-                match shown {
-                    Shown::Method(method) => result_ui(ui, solution, method, unit),
-                    Shown::Comparison(comparison) => combined_ui(ui, comparison, &assessment.suspects(), unit),
+    for row in shown.chunks(columns) {
+        cards::row_ui(ui, row, layout.gap(), |ui, card, row| {
+            card_ui(ui, card, |ui| {
+                match card {
+                    Card::Distance(method) => result_ui(ui, assessment, method, unit),
+                    _ => combined_ui(ui, assessment, unit),
                 }
-                cards::fill_height(ui, id);
+                cards::fill_height_ui(ui, row);
             });
         });
     }
@@ -71,82 +72,66 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
 fn heading_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let palette = theme::palette(ui);
     ui.horizontal(|ui| {
-        text::heading(ui, "Results", 2, theme::strong(theme::RESULTS_HEADING_SIZE), palette.text);
+        text::heading_ui(ui, "Results", 2, theme::strong(theme::RESULTS_HEADING_SIZE), palette.text);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let mut chosen = cx.unit();
             ui.spacing_mut().interact_size.y = cx.layout.heading_control_height();
-            length_unit_choice(ui, "unit of the results", "Unit of the results", &mut chosen, theme::UNIT_WIDTH);
+            length_unit_choice_ui(ui, "unit of the results", "Unit of the results", &mut chosen, theme::UNIT_WIDTH);
             if chosen != cx.unit() {
                 cx.commands.push(Command::ShowResultsIn(chosen));
             }
-            text::caption(ui, "in");
+            text::caption_ui(ui, "in");
         });
     });
 }
 
-/// A card of the highlighted result.
-#[derive(Clone, Copy)]
-enum Shown<'a> {
-    Method(Method),
-    Comparison(&'a Comparison),
-}
-
-impl Shown<'_> {
-    const fn name(self) -> &'static str {
-        match self {
-            Self::Method(method) => method.name(),
-            Self::Comparison(_) => "Combined",
-        }
-    }
-}
-
-/// The weighted mean of both distances, and whether they agree.
-fn combined_ui(ui: &mut Ui, comparison: &Comparison, suspects: &[Suspect], unit: LengthUnit) {
+/// The weighted mean of both distances, and whether they agree. Where they contradict each other there is no number.
+fn combined_ui(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
     let palette = theme::palette(ui);
-    let (words, front, back) = match comparison.agreement.verdict {
-        Some(Verdict::Agree) => ("They agree", palette.green, palette.green_tint),
-        Some(Verdict::Doubtful) => ("They hardly agree", palette.orange_text, palette.orange_tint),
-        Some(Verdict::Disagree) => ("They disagree", palette.red, palette.red_tint),
-        None => ("Combined", palette.muted, palette.highlight),
+    let solution = &assessment.solution;
+    let agreement = Statement::comparison(solution);
+    let (words, front, back) = match agreement {
+        Some(Statement::Agree { .. }) => ("They agree", palette.green, palette.green_tint),
+        Some(Statement::HardlyAgree { .. }) => ("They hardly agree", palette.orange_text, palette.orange_tint),
+        Some(Statement::Disagree { .. } | Statement::Contradict { .. }) => ("They disagree", palette.red, palette.red_tint),
+        _ => ("Combined", palette.muted, palette.highlight),
     };
-    text::badge(ui, words, front, back);
-    match comparison.combined {
-        Some(combined) => {
-            let words = report::with_sigma(combined.value, combined.sigma, unit);
-            number(
-                ui,
-                &words.value,
-                &format!("{} ± {}", unit.symbol(), words.sigma),
-                "Combined distance",
-            );
-            text::caption(ui, "Combined estimate; the shared focal length is accounted for");
-        }
-        None => {
-            number(ui, depth_text::number::NO_NUMBER, unit.symbol(), "Combined distance");
-        }
-    }
-    if comparison.agreement.verdict != Some(Verdict::Agree) {
-        ui.label(
-            RichText::new(Statement::agreement(&comparison.agreement).to_string())
-                .size(theme::SMALL_SIZE)
-                .color(palette.text),
+    text::badge_ui(ui, words, front, back);
+    if let Some(combined) = solution.combined {
+        let words = report::with_sigma(combined.value, combined.sigma, unit);
+        number_ui(
+            ui,
+            &words.value,
+            &format!("{} ± {}", unit.symbol(), words.sigma),
+            "Combined distance",
         );
+        text::caption_ui(ui, Hint::Combined.to_string());
     }
-    for suspect in suspects.iter().take(3) {
-        text::caption(ui, format!("• {}", Statement::suspect(suspect)));
+    if let Some(statement) = agreement.filter(|statement| !matches!(statement, Statement::Agree { .. })) {
+        let response = ui.label(RichText::new(statement.to_string()).size(theme::SMALL_SIZE).color(palette.text));
+        if solution.combined.is_none() {
+            text::announce(ui, &response);
+        }
+    }
+    for suspect in assessment.suspects().iter().take(3) {
+        text::caption_ui(ui, format!("• {}", Statement::suspect(suspect)));
     }
 }
 
 /// The quantity that was solved for.
 fn solved_ui(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
     let palette = theme::palette(ui);
-    text::badge(
+    text::badge_ui(
         ui,
         &format!("{}: {}", unknown.method.name(), Key::from(unknown.field).name),
         palette.green,
         palette.green_tint,
     );
-    let words = report::unknown(unknown, unit);
+    let words = match &unknown.outcome {
+        // It is said at the field.
+        Err(issue) if issue.is_about_distance() => depth_text::number::NO_NUMBER.to_owned(),
+        _ => report::unknown(Style::WINDOW, unknown, unit),
+    };
     let size = if unknown.outcome.is_ok() {
         theme::SOLVED_SIZE
     } else {
@@ -157,8 +142,12 @@ fn solved_ui(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
     ui.accesskit_node_builder(response.id, |node| node.set_description(Key::from(unknown.field).name));
 }
 
-fn card(ui: &mut Ui, name: &str, add_contents: impl FnOnce(&mut Ui)) {
-    let builder = UiBuilder::new().accessibility_role(Role::Region).accessibility_label(name);
+/// A card without a heading, as a region that assistive technology can jump to.
+fn card_ui(ui: &mut Ui, card: Card, add_contents: impl FnOnce(&mut Ui)) {
+    let builder = UiBuilder::new()
+        .id_salt(card)
+        .accessibility_role(Role::Region)
+        .accessibility_label(card.title());
     ui.scope_builder(builder, |ui| {
         theme::card(theme::palette(ui)).show(ui, |ui| {
             ui.set_width(ui.available_width());
@@ -167,7 +156,7 @@ fn card(ui: &mut Ui, name: &str, add_contents: impl FnOnce(&mut Ui)) {
     });
 }
 
-fn number(ui: &mut Ui, value: &str, unit: &str, name: &str) {
+fn number_ui(ui: &mut Ui, value: &str, unit: &str, name: &str) {
     let palette = theme::palette(ui);
     // One label, so that "1.400 m" is read aloud, found and copied as a whole.
     let mut job = egui::text::LayoutJob::default();
@@ -179,45 +168,55 @@ fn number(ui: &mut Ui, value: &str, unit: &str, name: &str) {
     let mut small = egui::TextFormat::simple(theme::regular(theme::RESULT_UNIT_SIZE), palette.muted);
     // Text of two sizes is aligned at the bottom of the line; the taller line lifts the small one to the same baseline.
     small.line_height = Some(theme::RESULT_UNIT_SIZE * 1.21 + (theme::RESULT_SIZE - theme::RESULT_UNIT_SIZE) * 0.48);
-    job.append(&format!(" {unit}"), 2.0, small);
+    job.append(&format!(" {unit}"), theme::RESULT_UNIT_GAP, small);
     let response = ui.label(job);
     text::announce(ui, &response);
     ui.accesskit_node_builder(response.id, |node| node.set_description(name));
 }
 
-fn result_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
+fn result_ui(ui: &mut Ui, assessment: &Assessment, method: Method, unit: LengthUnit) {
     let palette = theme::palette(ui);
+    let solution = &assessment.solution;
     let (front, back) = text::badge_colors(palette, method);
-    text::badge(ui, method.name(), front, back);
+    text::badge_ui(ui, method.name(), front, back);
     let distance = solution.outcome(method).distance();
+    if let Some(refusal) = assessment.refusal(method).filter(|_| distance.is_none()) {
+        // The field is marked and says so aloud already.
+        ui.label(RichText::new(refusal.message()).size(theme::SMALL_SIZE).color(palette.red));
+        return;
+    }
     let name = format!("{} distance", method.name());
     match (distance, solution.uncertainty(method)) {
-        (Some(distance), Some(known)) => {
-            let words = report::with_sigma(distance, known.sigma, unit);
-            number(ui, &words.value, &format!("{} ± {}", unit.symbol(), words.sigma), &name);
-            let cause = report::main_cause(known).map_or_else(String::new, |cause| format!(" · {cause}"));
-            text::caption(ui, format!("{}{cause}", report::interval(known, unit)));
+        (Some(distance), Some(uncertainty)) => {
+            let words = report::with_sigma(distance, uncertainty.sigma, unit);
+            number_ui(ui, &words.value, &format!("{} ± {}", unit.symbol(), words.sigma), &name);
+            let cause = report::main_cause(uncertainty).map_or_else(String::new, |cause| format!(" · {cause}"));
+            text::caption_ui(ui, format!("{}{cause}", report::interval(uncertainty, unit)));
         }
-        _ => number(ui, &report::length_number(distance, unit), unit.symbol(), &name),
+        _ => number_ui(ui, &report::length_number(distance, unit), unit.symbol(), &name),
     }
     if method == Method::Stereo
-        && let Some(range) = report::one_pixel_around(solution, unit)
+        && let Some(range) = report::one_pixel_range(solution, unit)
     {
-        text::caption(ui, format!("{range} with one pixel of disparity more or less"));
+        text::caption_ui(ui, Hint::OnePixel { range }.to_string());
     }
-    text::caption(ui, report::formula(solution, method));
-    if let Some(formula) = report::formula_with_numbers(solution, method) {
+    text::caption_ui(ui, report::formula(solution, method));
+    if let Some(formula) = report::formula_with_numbers(assessment, method, unit) {
         ui.label(RichText::new(formula).size(theme::SMALL_SIZE).color(palette.text));
     }
 }
 
-fn empty_ui(ui: &mut Ui, unit: LengthUnit) {
-    number(ui, depth_text::number::NO_NUMBER, unit.symbol(), "Distance");
+/// Without a distance: of each method, why, or what it needs.
+fn empty_ui(ui: &mut Ui, cx: &AppContext<'_>) {
+    number_ui(ui, depth_text::number::NO_NUMBER, cx.unit().symbol(), "Distance");
+    let (inputs, assessment) = (&cx.session.inputs, cx.session.assessment());
     for method in Method::ALL {
-        let [first, second, third] = method.fields().map(|field| Key::from(field).symbol);
-        text::caption(
-            ui,
-            format!("{}: {} needs {first}, {second} and {third}.", method.name(), method.formula()),
-        );
+        let begun = inputs.is_begun(method);
+        let words = match (assessment.refusal(method), report::needs(inputs, method)) {
+            (Some(refusal), _) if begun => format!("{}: {}", method.name(), refusal.message()),
+            (_, Some(needs)) if begun => Hint::StillNeeds { method, needs }.to_string(),
+            _ => Hint::MethodNeeds { method }.to_string(),
+        };
+        text::caption_ui(ui, words);
     }
 }

@@ -1,23 +1,24 @@
 //! The nine rows of inputs and outputs, and pairs of a name and a value.
 
+use super::card::Card;
 use crate::app::theme;
 use crate::app::widgets::cards;
-use crate::app::widgets::table::{Cell, row, table};
-use crate::core::problem::Solution;
+use crate::app::widgets::table::{Cell, row_ui, table_ui};
+use crate::core::quantity::LengthUnit;
+use depth_text::assess::Assessment;
 use depth_text::report::{self, Row};
 use egui::accesskit::Role;
 use egui::text::LayoutJob;
 use egui::{FontId, Ui};
 
 /// The table "Key input parameters and outputs".
-pub fn ui(ui: &mut Ui, solution: &Solution) {
-    const TITLE: &str = "Key input parameters and outputs";
-    cards::card(ui, TITLE, |ui| {
-        let narrow = ui.available_width() < 480.0;
+pub fn ui(ui: &mut Ui, assessment: &Assessment, unit_of_results: LengthUnit) {
+    cards::card_ui(ui, Card::Table, Card::Table.title(), |ui| {
+        let narrow = ui.available_width() < theme::NARROW_TABLE_WIDTH;
         let shares = if narrow { [1.2, 0.8, 0.7, 1.3] } else { [1.25, 0.55, 0.5, 1.7] };
         let size = if narrow { theme::SMALL_SIZE } else { theme::BODY_SIZE };
         let palette = theme::palette(ui);
-        table(ui, TITLE, |ui| {
+        table_ui(ui, Card::Table.title(), |ui| {
             let header = |text, align_right| Cell {
                 text: LayoutJob::simple_singleline(String::from(text), theme::strong(theme::SMALL_SIZE), palette.muted),
                 role: Role::ColumnHeader,
@@ -29,32 +30,32 @@ pub fn ui(ui: &mut Ui, solution: &Solution) {
                 header("Unit", false),
                 header("Description", false),
             ];
-            row(ui, headers, &shares);
+            row_ui(ui, headers, &shares);
             for Row {
                 parameter,
                 value,
                 unit,
                 description,
-            } in report::parameter_rows(solution)
+            } in report::parameter_rows(assessment, unit_of_results)
             {
                 let cells = vec![
-                    cell(ui, parameter, theme::regular(size), Role::RowHeader),
+                    cell(ui, &parameter, theme::regular(size), Role::RowHeader),
                     Cell {
                         align_right: true,
                         ..cell(ui, &value, theme::strong(size), Role::Cell)
                     },
-                    cell(ui, unit, theme::regular(size), Role::Cell),
+                    cell(ui, &unit, theme::regular(size), Role::Cell),
                     cell(ui, description, theme::regular(size), Role::Cell),
                 ];
-                row(ui, cells, &shares);
+                row_ui(ui, cells, &shares);
             }
         });
     });
 }
 
 /// A table of names and values without a header, named `title`.
-pub fn pairs(ui: &mut Ui, title: &str, rows: &[(&str, String)]) {
-    table(ui, title, |ui| {
+pub fn pairs_ui(ui: &mut Ui, title: &str, rows: &[(&str, String)]) {
+    table_ui(ui, title, |ui| {
         for (name, value) in rows {
             let cells = vec![
                 cell(ui, name, theme::regular(theme::BODY_SIZE), Role::RowHeader),
@@ -63,7 +64,7 @@ pub fn pairs(ui: &mut Ui, title: &str, rows: &[(&str, String)]) {
                     ..cell(ui, value, theme::strong(theme::BODY_SIZE), Role::Cell)
                 },
             ];
-            row(ui, cells, &[1.9, 1.0]);
+            row_ui(ui, cells, &[1.9, 1.0]);
         }
     });
 }

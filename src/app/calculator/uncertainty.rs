@@ -1,6 +1,8 @@
 //! The uncertainty cards: the share of each input in the variance, and a Monte Carlo simulation where first order is not good enough.
 
+use super::card::Card;
 use crate::app::context::AppContext;
+use crate::app::sentences::{Description, Hint};
 use crate::app::theme;
 use crate::app::widgets::{cards, picture, text};
 use crate::core::monte_carlo::{Distribution, MonteCarlo, Quantiles};
@@ -9,7 +11,8 @@ use crate::core::quantity::{Length, LengthUnit};
 use crate::core::uncertainty::Model;
 use depth_text::assess::Assessment;
 use depth_text::report;
-use egui::{Align2, Color32, Rect, Sense, Ui, pos2, vec2};
+use depth_text::sentences::Statement;
+use egui::{Align2, Color32, Rect, Sense, Ui, Vec2, pos2, vec2};
 
 /// Draws per simulation.
 const DRAWS: u32 = 100_000;
@@ -62,12 +65,13 @@ impl Simulations {
     /// Runs the simulations that `assessment` needs for one frame. Returns whether another frame is needed.
     pub fn advance(&mut self, assessment: &Assessment) -> bool {
         let wanted = |method| {
-            let known = assessment.solution.uncertainty(method)?;
-            (!known.model.first_order_is_good()).then_some(known.model)
+            let uncertainty = assessment.solution.uncertainty(method)?;
+            (!uncertainty.model.first_order_is_good()).then_some(uncertainty.model)
         };
         let stereo = self.stereo.restart_for(wanted(Method::Stereo));
         let monocular = self.monocular.restart_for(wanted(Method::Monocular));
-        // One step per frame: a restart comes with a changed input, whose frame is long already; then one simulation at a time.
+        // One step per frame. A simulation restarts in a frame in which an input changed, which is long already; otherwise one of the
+        // two simulations advances.
         stereo || monocular || self.stereo.advance() || self.monocular.advance()
     }
 
@@ -83,103 +87,71 @@ impl Simulations {
 pub fn ui(ui: &mut Ui, cx: &AppContext<'_>, simulations: &Simulations) {
     let (columns, gap, unit) = (cx.layout.columns(), cx.layout.gap(), cx.unit());
     let solution = &cx.session.assessment().solution;
-    let known: Vec<Method> = Method::ALL
+    let methods: Vec<Method> = Method::ALL
         .into_iter()
         .filter(|&method| solution.uncertainty(method).is_some())
         .collect();
-    for (number, row) in known.chunks(columns.min(2)).enumerate() {
-        let id = egui::Id::unique(("budgets", columns, number));
-        cards::row(ui, row, gap, |ui, &method| {
-            cards::card(ui, budget_title(method), |ui| {
-                budget_ui(ui, solution, method, unit);
-                cards::fill_height(ui, id);
-            });
-        });
-    }
-    let simulated: Vec<(Method, &Simulation)> = known
-        .into_iter()
-        .map(|method| (method, simulations.of(method)))
-        .filter(|(_, simulation)| !matches!(simulation, Simulation::None))
-        .collect();
-    for (number, row) in simulated.chunks(columns.min(2)).enumerate() {
-        let id = egui::Id::unique(("simulations", columns, number));
-        cards::row(ui, row, gap, |ui, (method, simulation)| {
-            cards::card(ui, simulation_title(*method), |ui| {
-                simulation_ui(ui, *method, simulation, unit);
-                cards::fill_height(ui, id);
+    let simulated = |method: &Method| !matches!(simulations.of(*method), Simulation::None);
+    let budgets = methods.iter().copied().map(Card::Budget).collect::<Vec<_>>();
+    let histograms = methods.iter().copied().filter(simulated).map(Card::Simulation).collect::<Vec<_>>();
+    for row in [budgets, histograms].iter().flat_map(|cards| cards.chunks(columns.min(2))) {
+        cards::row_ui(ui, row, gap, |ui, card, row| {
+            cards::card_ui(ui, card, card.title(), |ui| {
+                match card {
+                    Card::Budget(method) => budget_ui(ui, solution, method, unit),
+                    Card::Simulation(method) => simulation_ui(ui, method, simulations.of(method), unit),
+                    _ => {}
+                }
+                cards::fill_height_ui(ui, row);
             });
         });
     }
 }
 
-const fn budget_title(method: Method) -> &'static str {
-    match method {
-        Method::Stereo => "What makes stereo uncertain",
-        Method::Monocular => "What makes monocular uncertain",
-    }
-}
-
-const fn simulation_title(method: Method) -> &'static str {
-    match method {
-        Method::Stereo => "Stereo, simulated",
-        Method::Monocular => "Monocular, simulated",
-    }
-}
-
-/// The color of a source of variance: the two lengths of the formula and the pixels of each method stay apart.
+/// The color of a source of variance. No two sources of one method have the same.
 fn color_of(ui: &Ui, field: Field) -> Color32 {
     let palette = theme::palette(ui);
     match field {
         Field::FocalLength => palette.muted,
         Field::Baseline | Field::RealWidth => palette.orange,
         Field::Disparity | Field::ImageWidth => palette.blue,
-        Field::Doffs => palette.amber,
+        Field::Doffs | Field::Tilt => palette.amber,
     }
 }
 
 /// One bar, cut into the shares of the variance, over a line for each.
 fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
-    const BAR: f32 = 20.0;
     let palette = theme::palette(ui);
-    let Some(known) = solution.uncertainty(method) else { return };
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), BAR), Sense::hover());
+    let Some(uncertainty) = solution.uncertainty(method) else { return };
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::BUDGET_BAR_HEIGHT), Sense::hover());
     let mut x = rect.left();
-    for share in &known.budget {
+    for share in &uncertainty.budget {
         let width = rect.width() * to_f32(share.share);
-        let part = Rect::from_min_size(pos2(x, rect.top()), vec2(width, BAR));
+        let part = Rect::from_min_size(pos2(x, rect.top()), vec2(width, rect.height()));
         ui.painter().rect_filled(part, 0.0, color_of(ui, share.source));
         x += width;
         ui.painter()
             .vline(x, rect.y_range(), egui::Stroke::new(theme::STRONG_LINE, palette.surface));
     }
-    picture::describe(
-        ui,
-        &response,
-        budget_title(method),
-        &format!("Shares of the variance: {}.", report::budget(known)),
-    );
+    picture::describe(ui, &response, Card::Budget(method).title(), &Description::Budget { uncertainty });
     ui.add_space(theme::STEP);
-    for share in known.budget.iter().filter(|share| share.share > 0.0) {
-        let line = vec2(ui.available_width(), 20.0);
+    for share in uncertainty.budget.iter().filter(|share| share.share > 0.0) {
+        let line = vec2(ui.available_width(), theme::LEGEND_HEIGHT);
         ui.allocate_ui_with_layout(line, egui::Layout::left_to_right(egui::Align::Center), |ui| {
-            let (dot, _) = ui.allocate_exact_size(vec2(12.0, 12.0), Sense::hover());
+            let (dot, _) = ui.allocate_exact_size(Vec2::splat(theme::LEGEND_MARK), Sense::hover());
             ui.painter().rect_filled(dot, theme::MARK_RADIUS, color_of(ui, share.source));
             ui.label(format!("{} {}", report::short_name(share.source), report::percent(share.share)));
         });
     }
-    if let Some(bias) = known.bias
-        && bias.m() > known.sigma.m() / 100.0
+    if let Some(bias) = uncertainty.bias
+        && bias.m() > uncertainty.sigma.m() / 100.0
     {
-        let bias = report::length(Some(bias), unit);
-        text::caption(
-            ui,
-            format!("Averaging many such distances comes out {bias} too far: average the pixels, not the distances."),
-        );
+        text::caption_ui(ui, Hint::Bias { bias, unit }.to_string());
     }
-    if !known.model.first_order_is_good() {
+    if !uncertainty.model.first_order_is_good() {
         let amber = palette.amber;
         ui.label(
-            egui::RichText::new(format!("⚠ {}", report::FIRST_ORDER_IS_POOR))
+            egui::RichText::new(format!("⚠ {}", Statement::FirstOrderIsPoor { has_simulation: true }))
                 .size(theme::SMALL_SIZE)
                 .color(amber),
         );
@@ -188,18 +160,16 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
 
 fn simulation_ui(ui: &mut Ui, method: Method, simulation: &Simulation, unit: LengthUnit) {
     let Simulation::Done(_, distribution) = simulation else {
-        text::caption(ui, "Drawing 100 000 times…");
+        text::caption_ui(ui, Hint::Simulating.to_string());
         return;
     };
     histogram_ui(ui, method, distribution, unit);
-    let end = |length: Option<Length>| length.map_or_else(|| "no upper bound".to_owned(), |length| report::length(Some(length), unit));
-    let interval = |quantiles: Quantiles| match (quantiles.near, quantiles.far) {
-        (Some(near), Some(far)) => format!("{} … {}", report::length_number(Some(near), unit), report::length(Some(far), unit)),
-        (near, far) => format!("{} … {}", end(near), end(far)),
-    };
-    super::table::pairs(
+    let unbounded = || report::NO_UPPER_BOUND.to_owned();
+    let end = |length: Option<Length>| length.map_or_else(unbounded, |length| report::length(Some(length), unit));
+    let interval = |Quantiles { near, far, .. }: Quantiles| near.map_or_else(unbounded, |near| report::range(near, far, unit));
+    super::table::pairs_ui(
         ui,
-        simulation_title(method),
+        Card::Simulation(method).title(),
         &[
             ("Median", end(distribution.median)),
             ("Middle 68 %", interval(distribution.interval_68)),
@@ -207,20 +177,15 @@ fn simulation_ui(ui: &mut Ui, method: Method, simulation: &Simulation, unit: Len
             ("Infinitely far", report::percent(distribution.share_infinite)),
         ],
     );
-    text::caption(
-        ui,
-        format!(
-            "{} draws of all inputs, the same ones every time. A draw whose pixels are zero or less counts as infinitely far.",
-            distribution.drawn
-        ),
-    );
+    let draws = distribution.drawn;
+    text::caption_ui(ui, Hint::Simulated { draws }.to_string());
 }
 
 fn histogram_ui(ui: &mut Ui, method: Method, distribution: &Distribution, unit: LengthUnit) {
     let palette = theme::palette(ui);
     let Some(shape) = &distribution.histogram else { return };
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 120.0), Sense::hover());
-    let plot = rect.with_max_y(rect.bottom() - 18.0);
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::HISTOGRAM_HEIGHT), Sense::hover());
+    let plot = rect.with_max_y(rect.bottom() - theme::HISTOGRAM_LABELS_HEIGHT);
     let most = shape.counts.iter().copied().max().unwrap_or(1).max(1);
     let count = f32::from(u16::try_from(shape.counts.len()).unwrap_or(u16::MAX).max(1));
     let width = plot.width() / count;
@@ -254,14 +219,12 @@ fn histogram_ui(ui: &mut Ui, method: Method, distribution: &Distribution, unit: 
     picture::describe(
         ui,
         &response,
-        simulation_title(method),
-        &format!(
-            "Histogram of {} simulated distances from {} to {}, {} of the draws beyond.",
-            distribution.drawn,
-            report::length(Some(shape.low), unit),
-            report::length(Some(shape.high), unit),
-            report::percent(f64::from(shape.beyond) / f64::from(distribution.drawn.max(1)))
-        ),
+        Card::Simulation(method).title(),
+        &Description::Histogram {
+            histogram: shape,
+            draws: distribution.drawn,
+            unit,
+        },
     );
 }
 

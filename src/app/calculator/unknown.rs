@@ -2,6 +2,7 @@
 
 use crate::app::command::Command;
 use crate::app::context::AppContext;
+use crate::app::sentences::Hint;
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field as FieldWidget};
 use crate::app::widgets::text;
@@ -10,7 +11,11 @@ use crate::core::quantity::LengthUnit;
 use depth_text::assess::Unknown;
 use depth_text::field::Key;
 use depth_text::fields;
+use depth_text::names::Named as _;
+use depth_text::note::Note;
+use depth_text::number::NO_NUMBER;
 use depth_text::report;
+use depth_text::style::Style;
 use egui::{ComboBox, RichText, Sense, Ui, vec2};
 
 /// What is offered first.
@@ -35,7 +40,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let (inputs, assessment) = cx.session.parts();
     let Some(before) = inputs.unknown else { return };
     let mut chosen = Some(before);
-    text::card_heading(ui, "Solve for");
+    text::card_heading_ui(ui, "Solve for");
     ComboBox::from_id_salt("solve for")
         .width(ui.available_width())
         .selected_text(name(before))
@@ -55,10 +60,11 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     }
     ui.add_space(theme::STEP);
     let with_sigma = inputs.with_uncertainty;
+    let note = assessment.unknown.as_ref().and_then(|unknown| distance_note(unknown));
     let field = FieldWidget {
         key: fields::DISTANCE,
         reading: None,
-        notes: Vec::new(),
+        notes: note.iter().collect(),
         with_sigma,
         helper: None,
         id: field::id(fields::DISTANCE),
@@ -66,23 +72,29 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
         entry: inputs.entry_mut(fields::DISTANCE),
     };
     field.ui(ui, cx.commands);
-    if let Some(Err(reason)) = assessment.unknown.as_ref().map(|unknown| &unknown.outcome) {
-        text::caption(ui, reason.to_string());
-    }
     ui.add_space(2.0 * theme::STEP);
 }
 
-/// What was solved for, in place of its field.
+/// What is wrong with the distance, said at its field; what else is lacking is said on the card of the result.
+fn distance_note(unknown: &Unknown) -> Option<Note> {
+    let issue = unknown.outcome.as_ref().err()?;
+    issue.is_about_distance().then(|| Note::error(fields::DISTANCE, issue.clone()))
+}
+
+/// What was solved for, in place of its field; a dash where something is lacking.
 pub fn solution_ui(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
     let height = ui.spacing().interact_size.y;
     let palette = theme::palette(ui);
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     ui.painter().rect_filled(rect, theme::CONTROL_RADIUS, palette.highlight);
-    let words = report::unknown(unknown, unit);
+    let words = match unknown.outcome {
+        Ok(_) => report::unknown(Style::WINDOW, unknown, unit),
+        Err(_) => NO_NUMBER.to_owned(),
+    };
     // Not a live region: the result card says the same.
     ui.put(
-        rect.shrink2(vec2(10.0, 0.0)),
+        rect.shrink2(vec2(theme::SOLVED_INDENT, 0.0)),
         egui::Label::new(RichText::new(words).font(theme::strong(theme::BODY_SIZE))),
     );
-    text::caption(ui, "Computed from the distance and the other quantities.");
+    text::caption_ui(ui, Hint::Solved.to_string());
 }

@@ -13,7 +13,7 @@ use egui::Ui;
 /// Draws the screen. A link to an example adds the command to follow it.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let mut followed = None;
-    scroll::column(ui, "learn", |ui| {
+    scroll::column_ui(ui, "learn", |ui| {
         ui.vertical_centered(|ui| {
             ui.set_max_width(ui.available_width().min(theme::TEXT_WIDTH + 2.0 * theme::GAP));
             ui.with_layout(egui::Layout::top_down(egui::Align::Min), |ui| {
@@ -21,7 +21,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
                     ui.set_width(ui.available_width());
                     followed = document::ui(ui, DOCUMENT, cx.layout.control_height());
                     let about = Command::ShowDialog(Some(Dialog::About));
-                    if text::link_button(ui, about.text(), cx.layout).clicked() {
+                    if text::link_button_ui(ui, about.text(), cx.layout).clicked() {
                         cx.commands.push(about);
                     }
                 });

@@ -23,7 +23,7 @@ impl BottomBar {
     }
 
     /// Draws the screen.
-    pub fn above(&self, ui: &mut Ui, add_contents: impl FnOnce(&mut Ui)) {
+    pub fn above_ui(&self, ui: &mut Ui, add_contents: impl FnOnce(&mut Ui)) {
         // A scope with an id of its own: else every widget would get another id, and another node for a screen reader, when a bar
         // appears or disappears.
         let place = UiBuilder::new().scope_id(self.id.with("above")).max_rect(self.above);
@@ -31,7 +31,7 @@ impl BottomBar {
     }
 
     /// Draws the bar, after the screen. It is as high as its contents.
-    pub fn below(&self, ui: &mut Ui, add_contents: impl FnOnce(&mut Ui)) {
+    pub fn below_ui(&self, ui: &mut Ui, add_contents: impl FnOnce(&mut Ui)) {
         let place = UiBuilder::new().scope_id(self.id.with("below")).max_rect(self.below);
         let drawn = ui.scope_builder(place, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;

@@ -1,9 +1,10 @@
 //! The field of the program: label, text, unit, σ, hint, and what is wrong with it. One widget for every field of the table.
 
 use super::text;
-use super::unit_choice::length_unit_choice;
+use super::unit_choice::length_unit_choice_ui;
 use crate::app::command::{Command, Helper, Scope};
-use crate::app::theme::{self, SIGMA_WIDTH, UNIT_WIDTH};
+use crate::app::sentences::Hint;
+use crate::app::theme::{self, FIELD_PARTS_GAP, SIGMA_WIDTH, UNIT_WIDTH};
 use crate::core::quantity::LengthUnit;
 use depth_text::entry::Entry;
 use depth_text::field::Key as FieldKey;
@@ -12,9 +13,6 @@ use depth_text::reading::Reading;
 use egui::accesskit::Role;
 use egui::text::{CCursor, CCursorRange};
 use egui::{Align, Button, Id, Key, Modifiers, Response, RichText, Sense, Stroke, TextEdit, Ui, vec2};
-
-/// Between the parts of a field.
-const SPACING: f32 = 6.0;
 
 /// A field of the table, with what was typed into it and what is to be said about that.
 pub struct Field<'a> {
@@ -73,7 +71,7 @@ impl Field<'_> {
     pub fn ui(mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         let label = label_ui(ui, self.key, self.helper, commands);
         ui.horizontal(|ui| {
-            ui.spacing_mut().item_spacing.x = SPACING;
+            ui.spacing_mut().item_spacing.x = FIELD_PARTS_GAP;
             self.text_ui(ui, &label, commands);
             self.unit_ui(ui, commands);
             if self.with_sigma {
@@ -81,7 +79,7 @@ impl Field<'_> {
             }
         });
         if !self.key.hint.is_empty() {
-            text::caption(ui, self.key.hint);
+            text::caption_ui(ui, self.key.hint);
         }
         for note in &self.notes {
             let about = match note.part {
@@ -104,19 +102,19 @@ impl Field<'_> {
         if ui.memory(|memory| memory.has_focus(self.id)) {
             self.take_keys(ui, commands);
         }
-        let sigma_width = if self.with_sigma { SIGMA_WIDTH + SPACING } else { 0.0 };
-        let width = ui.available_width() - UNIT_WIDTH - SPACING - sigma_width;
+        let sigma_width = if self.with_sigma { SIGMA_WIDTH + FIELD_PARTS_GAP } else { 0.0 };
+        let width = ui.available_width() - UNIT_WIDTH - FIELD_PARTS_GAP - sigma_width;
         let size = vec2(width, ui.spacing().interact_size.y);
         let color = self.note(Part::Value).map(|note| border_color(ui, note));
         let output = ui
             .scope(|ui| {
-                set_border(ui, color);
+                border_ui(ui, color);
                 let palette = theme::palette(ui);
                 TextEdit::singleline(&mut self.entry.text)
                     .id(self.id)
-                    .hint_text(RichText::new(format!("e.g. {}", self.key.example())).color(palette.muted))
+                    .hint_text(RichText::new(Hint::Example { key: self.key }.to_string()).color(palette.muted))
                     .align(egui::Align2::RIGHT_CENTER)
-                    .margin(egui::Margin::symmetric(10, 4))
+                    .margin(theme::FIELD_MARGIN)
                     .desired_width(size.x)
                     .min_size(size)
                     .return_key(None)
@@ -125,12 +123,12 @@ impl Field<'_> {
             .inner;
         let response = output.response.response.labelled_by(label.id);
         ui.accesskit_node_builder(self.id, |node| {
-            // A text field to egui, as a unit may be typed; a number to assistive technology and to the keyboards of phones, of which
-            // some have no minus.
+            // egui has only text fields, and a unit may be typed. The role tells assistive technology that it is a number, and opens the
+            // number keyboard of a phone; some of these have no minus.
             if !self.key.signed {
                 node.set_role(Role::NumberInput);
             }
-            node.set_description(self.description());
+            node.set_description(Hint::Field { key: self.key }.to_string());
             if let Some(reading) = self.reading {
                 node.set_numeric_value(reading.number);
             }
@@ -146,18 +144,6 @@ impl Field<'_> {
             self.entry.tidy(self.key);
             commands.push(Command::Settle);
         }
-    }
-
-    /// What assistive technology says of the field beside its label and value.
-    fn description(&self) -> String {
-        let symbol = self.key.unit_symbol();
-        let unit = if self.key.is_length() || symbol.is_empty() {
-            String::new()
-        } else {
-            format!("In {}. ", text::spoken_unit(symbol))
-        };
-        let gap = if self.key.hint.is_empty() { "" } else { " " };
-        format!("{}{gap}{unit}Arrow up and down step the value.", self.key.hint)
     }
 
     /// The keys that a field takes while it has the focus: arrows step it, Enter calculates.
@@ -187,7 +173,7 @@ impl Field<'_> {
         };
         let before = unit;
         let name = format!("Unit of {}", self.key.name);
-        length_unit_choice(ui, (self.id, "unit"), &name, &mut unit, UNIT_WIDTH);
+        length_unit_choice_ui(ui, (self.id, "unit"), &name, &mut unit, UNIT_WIDTH);
         if unit != before {
             self.entry.tidy(self.key);
             self.entry.unit = Some(unit);
@@ -214,7 +200,7 @@ impl Field<'_> {
         let stroke = Stroke::new(theme::THIN_LINE, palette.line);
         ui.painter()
             .rect_stroke(rect, theme::CONTROL_RADIUS, stroke, egui::StrokeKind::Inside);
-        let at = rect.left_center() + vec2(11.0, 0.0);
+        let at = rect.left_center() + vec2(theme::UNIT_INDENT, 0.0);
         let font = theme::regular(theme::BODY_SIZE);
         ui.painter().text(at, egui::Align2::LEFT_CENTER, symbol, font, palette.muted);
     }
@@ -230,14 +216,14 @@ impl Field<'_> {
         let color = self.note(Part::Sigma).map(|note| border_color(ui, note));
         let response = ui
             .scope(|ui| {
-                set_border(ui, color);
+                border_ui(ui, color);
                 // Not `Role::NumberInput`: the number keyboard of most phones has no "%".
                 TextEdit::singleline(&mut self.entry.sigma)
                     .id(id)
                     .prefix(RichText::new("±").color(palette.muted))
                     .hint_text(RichText::new("none").color(palette.muted))
                     .align(egui::Align2::RIGHT_CENTER)
-                    .margin(egui::Margin::symmetric(8, 4))
+                    .margin(theme::SIGMA_MARGIN)
                     .desired_width(size.x)
                     .min_size(size)
                     .return_key(None)
@@ -248,7 +234,7 @@ impl Field<'_> {
             .response
             .accessible_name(format!("Uncertainty of {}", self.key.name));
         ui.accesskit_node_builder(id, |node| {
-            node.set_description("One standard deviation, in the unit of the value, with a unit of its own, or in percent. Empty: none.");
+            node.set_description(Hint::Sigma.to_string());
         });
         if response.lost_focus() {
             commands.push(Command::Settle);
@@ -265,7 +251,7 @@ fn border_color(ui: &Ui, note: &Note) -> egui::Color32 {
 }
 
 /// Gives the next field in `ui` the border of what is wrong with it.
-fn set_border(ui: &mut Ui, color: Option<egui::Color32>) {
+fn border_ui(ui: &mut Ui, color: Option<egui::Color32>) {
     if let Some(color) = color {
         let widgets = &mut ui.visuals_mut().widgets;
         widgets.inactive.bg_stroke = Stroke::new(theme::STRONG_LINE, color);
@@ -274,7 +260,7 @@ fn set_border(ui: &mut Ui, color: Option<egui::Color32>) {
 }
 
 fn note_ui(ui: &mut Ui, note: &Note, about: Id, commands: &mut Vec<Command>) {
-    text::note(ui, note.severity, &note.message(), Some(about));
+    text::note_ui(ui, note.severity, &note.message(), Some(about));
     if !note.fixes.is_empty() {
         ui.horizontal_wrapped(|ui| {
             let height = ui.spacing().interact_size.y;

@@ -8,7 +8,7 @@ use egui::{Sense, Ui, Vec2};
 use egui_plot::{GridMark, Plot};
 
 /// A plot in the colors of the theme and the type of captions, which neither moves nor zooms, over y from 0 to 1 and `x`.
-pub fn plot<'a>(ui: &mut Ui, id: &str, x: std::ops::RangeInclusive<f64>) -> Plot<'a> {
+pub fn plot_ui<'a>(ui: &mut Ui, id: &str, x: std::ops::RangeInclusive<f64>) -> Plot<'a> {
     let palette = theme::palette(ui);
     ui.style_mut()
         .text_styles

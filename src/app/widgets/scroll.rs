@@ -1,10 +1,11 @@
 //! Scroll areas that keep the focused widget in view.
 
+use crate::app::theme;
 use egui::{Id, ScrollArea, Ui};
 
 /// A column that scrolls. The focused widget is scrolled into view when it gets the focus, and when the column becomes lower, as when
 /// the keyboard of a phone opens: egui does neither by itself.
-pub fn column(ui: &mut Ui, id: &str, add_contents: impl FnOnce(&mut Ui)) {
+pub fn column_ui(ui: &mut Ui, id: &str, add_contents: impl FnOnce(&mut Ui)) {
     ScrollArea::vertical().id_salt(id).auto_shrink([false, false]).show(ui, |ui| {
         add_contents(ui);
         reveal_focus(ui);
@@ -12,7 +13,7 @@ pub fn column(ui: &mut Ui, id: &str, add_contents: impl FnOnce(&mut Ui)) {
 }
 
 /// A scroll area at most `height` points high, which keeps the focused widget in view.
-pub fn up_to(ui: &mut Ui, height: f32, add_contents: impl FnOnce(&mut Ui)) {
+pub fn up_to_ui(ui: &mut Ui, height: f32, add_contents: impl FnOnce(&mut Ui)) {
     ScrollArea::vertical().max_height(height).show(ui, |ui| {
         add_contents(ui);
         reveal_focus(ui);
@@ -27,7 +28,6 @@ struct Before {
 }
 
 fn reveal_focus(ui: &Ui) {
-    const ROOM: f32 = 12.0;
     let visible = ui.clip_rect().y_range();
     let now = Before {
         focused: ui.memory(|memory| memory.focused()),
@@ -42,7 +42,7 @@ fn reveal_focus(ui: &Ui) {
         return;
     };
     let is_inside = response.layer_id == ui.layer_id() && ui.min_rect().contains(response.rect.center());
-    let rect = response.rect.expand(ROOM);
+    let rect = response.rect.expand(theme::FOCUS_SCROLL_MARGIN);
     if is_inside && !(visible.contains(rect.top()) && visible.contains(rect.bottom())) {
         ui.scroll_to_rect(rect, None);
     }

@@ -6,7 +6,7 @@ use egui::accesskit::{Invalid, Live, Role};
 use egui::{FontId, Id, Response, RichText, Ui};
 
 /// A heading of `level` 1 to 6.
-pub fn heading(ui: &mut Ui, text: &str, level: usize, font: FontId, color: egui::Color32) -> Response {
+pub fn heading_ui(ui: &mut Ui, text: &str, level: usize, font: FontId, color: egui::Color32) -> Response {
     let response = ui.label(RichText::new(text).font(font).color(color));
     ui.accesskit_node_builder(response.id, |node| {
         node.set_role(Role::Heading);
@@ -17,13 +17,13 @@ pub fn heading(ui: &mut Ui, text: &str, level: usize, font: FontId, color: egui:
 }
 
 /// The heading of a card.
-pub fn card_heading(ui: &mut Ui, text: &str) -> Response {
+pub fn card_heading_ui(ui: &mut Ui, text: &str) -> Response {
     let muted = theme::palette(ui).muted;
-    heading(ui, text, 2, theme::strong(theme::CARD_HEADING_SIZE), muted)
+    heading_ui(ui, text, 2, theme::strong(theme::CARD_HEADING_SIZE), muted)
 }
 
 /// A caption: small and muted.
-pub fn caption(ui: &mut Ui, text: impl Into<String>) -> Response {
+pub fn caption_ui(ui: &mut Ui, text: impl Into<String>) -> Response {
     let muted = theme::palette(ui).muted;
     ui.label(RichText::new(text).size(theme::SMALL_SIZE).color(muted))
 }
@@ -34,7 +34,7 @@ pub fn announce(ui: &Ui, response: &Response) {
 }
 
 /// An error or a warning below the field `about`: a live region, and the description of that field.
-pub fn note(ui: &mut Ui, severity: Severity, sentence: &str, about: Option<Id>) -> Response {
+pub fn note_ui(ui: &mut Ui, severity: Severity, sentence: &str, about: Option<Id>) -> Response {
     let palette = theme::palette(ui);
     let color = match severity {
         Severity::Error => palette.red,
@@ -53,31 +53,19 @@ pub fn note(ui: &mut Ui, severity: Severity, sentence: &str, about: Option<Id>) 
     said
 }
 
-/// The word that a screen reader should say for the symbol of a unit.
-pub fn spoken_unit(symbol: &str) -> &str {
-    match symbol {
-        "px" => "pixels",
-        "mm" => "millimeters",
-        "µm" => "micrometers",
-        "m" => "meters",
-        "°" => "degrees",
-        other => other,
-    }
-}
-
 /// A button that looks like a link, for secondary actions.
-pub fn link_button(ui: &mut Ui, name: &str, layout: theme::Layout) -> Response {
+pub fn link_button_ui(ui: &mut Ui, name: &str, layout: theme::Layout) -> Response {
     let blue = theme::palette(ui).blue;
     let link = egui::Button::new(RichText::new(name).size(theme::SMALL_SIZE).underline().color(blue)).frame(false);
     ui.add(link.min_size(egui::vec2(0.0, layout.inline_control_height())))
 }
 
 /// A small rounded label in the color of a method.
-pub fn badge(ui: &mut Ui, text: &str, front: egui::Color32, back: egui::Color32) -> Response {
+pub fn badge_ui(ui: &mut Ui, text: &str, front: egui::Color32, back: egui::Color32) -> Response {
     egui::Frame::new()
         .fill(back)
         .corner_radius(theme::BADGE_RADIUS)
-        .inner_margin(egui::Margin::symmetric(9, 2))
+        .inner_margin(theme::BADGE_MARGIN)
         .show(ui, |ui| {
             ui.label(RichText::new(text).font(theme::strong(theme::SMALL_SIZE)).color(front))
         })

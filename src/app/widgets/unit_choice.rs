@@ -1,10 +1,11 @@
 //! A choice among the units of length.
 
 use crate::core::quantity::LengthUnit;
+use depth_text::names::Named as _;
 use egui::{ComboBox, Ui};
 
 /// A choice among the units of length, named `name`.
-pub fn length_unit_choice(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::Debug, name: &str, unit: &mut LengthUnit, width: f32) {
+pub fn length_unit_choice_ui(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::Debug, name: &str, unit: &mut LengthUnit, width: f32) {
     ComboBox::from_id_salt(id)
         .width(width)
         .selected_text(unit.symbol())

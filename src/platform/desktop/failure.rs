@@ -1,4 +1,4 @@
-//! Why there is no window, in one sentence: what is missing, and what to do.
+//! Finds out why there is no window, and says it.
 
 use std::any::Any;
 use std::env;
@@ -7,32 +7,7 @@ use std::panic::{AssertUnwindSafe, PanicHookInfo};
 use std::sync::{Arc, Mutex};
 use winit::error::EventLoopError;
 
-/// What keeps the window from opening, or what has ended it.
-#[derive(Debug, PartialEq, Eq)]
-pub enum Failure {
-    /// No environment variable names a display.
-    NoDisplay,
-    /// The display that the variable names does not answer.
-    SilentDisplay {
-        variable: &'static str,
-        display: String,
-        reason: String,
-    },
-    /// A client library of the display server is not installed.
-    NoLibrary(String),
-    /// The display offers no OpenGL, or no library of it is installed.
-    NoOpenGl(String),
-    /// There is OpenGL, and its driver fails.
-    NoDriver(String),
-    /// An OpenGL older than the window can be drawn with.
-    OldOpenGl,
-    /// Anything else before there was a window.
-    NoWindow(String),
-    /// The display went away while the window was open.
-    LostDisplay,
-    /// An error in the program while its window was open, with its place in the source.
-    Stopped { reason: String, place: String },
-}
+use super::sentences::{Failure, NAMES_DISPLAYS};
 
 impl Failure {
     /// Classifies an error of eframe. `environment` gives the value of an environment variable.
@@ -42,10 +17,7 @@ impl Failure {
             eframe::Error::WinitEventLoop(EventLoopError::ExitFailure(_)) => Self::LostDisplay,
             eframe::Error::WinitEventLoop(error) => Self::of_display(reason(error), environment),
             // Without the configuration template that eframe adds.
-            eframe::Error::NoGlutinConfigs(_, error) => Self::NoOpenGl(match reason(error).as_str() {
-                "not found" => "neither libGL nor libEGL can be loaded".to_owned(),
-                other => other.to_owned(),
-            }),
+            eframe::Error::NoGlutinConfigs(_, error) => Self::NoOpenGl(Some(reason(error)).filter(|reason| reason != "not found")),
             eframe::Error::Glutin(error) => Self::NoDriver(reason(error)),
             eframe::Error::OpenGL(error) => {
                 let reason = reason(error);
@@ -82,50 +54,7 @@ impl Failure {
             Self::NoWindow(reason)
         }
     }
-
-    /// The sentence, without the name of the program.
-    pub fn sentence(&self) -> String {
-        const TERMINAL: &str = "or compute on the terminal (depth-calculator calculate --help)";
-        let driver = if NAMES_DISPLAYS {
-            "try LIBGL_ALWAYS_SOFTWARE=1 depth-calculator, install or update the graphics driver (on most Linux systems Mesa)"
-        } else {
-            "install or update the driver of the graphics card"
-        };
-        match self {
-            Self::NoDisplay => format!(
-                "There is no display to open a window on, as neither WAYLAND_DISPLAY nor DISPLAY is set: start the program on a desktop, {TERMINAL}."
-            ),
-            Self::SilentDisplay { variable, display, reason } => format!(
-                "The display that {variable} names, {display}, cannot be used ({reason}): start the program on a desktop that runs, {TERMINAL}."
-            ),
-            Self::NoLibrary(reason) => format!(
-                "A library that the window needs is not installed ({reason}): install it (on Debian and Ubuntu one of libx11-6, libxcursor1, libxi6, libxkbcommon-x11-0), {TERMINAL}."
-            ),
-            Self::NoOpenGl(reason) => {
-                format!("There is no OpenGL to draw the window with ({reason}): {driver}, {TERMINAL}.")
-            }
-            Self::NoDriver(reason) => {
-                format!("OpenGL is there, but its driver fails ({reason}): {driver}, {TERMINAL}.")
-            }
-            Self::OldOpenGl => {
-                format!("OpenGL is there, but older than version 2, which draws the window: {driver}, {TERMINAL}.")
-            }
-            Self::NoWindow(reason) => {
-                format!("The window could not be opened ({reason}): start the program on another desktop, {TERMINAL}.")
-            }
-            Self::LostDisplay => {
-                "The display has closed the connection to the program: start it again on a desktop that runs; what you entered before is kept."
-                    .to_owned()
-            }
-            Self::Stopped { reason, place } => format!(
-                "The program has stopped because of an error in it ({reason}, {place}): start it again; what you entered before is kept."
-            ),
-        }
-    }
 }
-
-/// Whether environment variables name the display, as with X11 and Wayland.
-const NAMES_DISPLAYS: bool = !cfg!(any(target_os = "windows", target_os = "macos"));
 
 /// Whether `reason`, from winit, is that a library is missing.
 fn is_of_library(reason: &str) -> bool {
@@ -169,7 +98,7 @@ pub fn report_failures(run: impl FnOnce() -> eframe::Result, is_open: impl Fn() 
 }
 
 fn print(failure: &Failure) {
-    eprintln!("depth-calculator: {}", failure.sentence());
+    eprintln!("depth-calculator: {failure}");
 }
 
 /// Shows the failure in a message box with this title where stderr is not a terminal, as after a double click. The box is the
@@ -179,7 +108,7 @@ pub fn show(failure: &Failure, title: &str) {
         rfd::MessageDialog::new()
             .set_level(rfd::MessageLevel::Error)
             .set_title(title)
-            .set_description(failure.sentence())
+            .set_description(failure.to_string())
             .show();
     }
 }
@@ -189,10 +118,9 @@ fn of_panic(panic: &PanicHookInfo<'_>, is_open: bool) -> Failure {
     if !is_open {
         return Failure::before_window(reason);
     }
-    let place = panic.location().map_or_else(
-        || "at an unknown place".to_owned(),
-        |location| format!("in {} at line {}", place_in_package(location.file()), location.line()),
-    );
+    let place = panic
+        .location()
+        .map(|location| (place_in_package(location.file()), location.line()));
     Failure::Stopped { reason, place }
 }
 
@@ -230,43 +158,6 @@ fn place_in_package(file: &str) -> String {
 mod tests {
     use super::*;
 
-    fn every_failure() -> Vec<Failure> {
-        vec![
-            Failure::NoDisplay,
-            Failure::SilentDisplay {
-                variable: "DISPLAY",
-                display: ":77".into(),
-                reason: "Failed to open connection to X server".into(),
-            },
-            Failure::NoOpenGl("not found".into()),
-            Failure::NoDriver("GLXBadFBConfig".into()),
-            Failure::OldOpenGl,
-            Failure::before_window("Library libxkbcommon-x11.so could not be loaded".into()),
-            Failure::NoWindow("X server missing XInput extension".into()),
-            Failure::LostDisplay,
-            Failure::Stopped {
-                reason: "attempt to divide by zero".into(),
-                place: "in src/app/mod.rs at line 7".into(),
-            },
-        ]
-    }
-
-    #[test]
-    fn every_failure_is_one_sentence_that_says_what_to_do() {
-        for failure in every_failure() {
-            let sentence = failure.sentence();
-            assert!(!sentence.contains('\n') && sentence.ends_with('.'), "{sentence}");
-            assert!(!sentence.contains("..") && !sentence.contains(". "), "{sentence}");
-            assert!(sentence.contains(": "), "what to do stands after the colon: {sentence}");
-            if !matches!(failure, Failure::LostDisplay | Failure::Stopped { .. }) {
-                assert!(sentence.contains("depth-calculator calculate"), "{sentence}");
-            }
-            if NAMES_DISPLAYS && matches!(failure, Failure::NoOpenGl(_) | Failure::NoDriver(_) | Failure::OldOpenGl) {
-                assert!(sentence.contains("LIBGL_ALWAYS_SOFTWARE=1"), "{sentence}");
-            }
-        }
-    }
-
     #[test]
     #[cfg(not(any(target_os = "windows", target_os = "macos")))]
     fn the_display_that_is_named_is_the_one_that_was_tried() {
@@ -294,7 +185,7 @@ mod tests {
     #[test]
     fn a_panic_is_reported_with_its_place_or_as_a_window_that_does_not_open() {
         let told = |is_open| report_failures(|| panic!("Out of luck."), move || is_open).unwrap_err();
-        let stopped = told(true).sentence();
+        let stopped = told(true).to_string();
         let before = told(false);
         // Restores the hook for the other tests.
         drop(std::panic::take_hook());

@@ -4,9 +4,10 @@
 mod console;
 mod failure;
 mod placement;
+mod sentences;
 mod state;
 
-use crate::app::{App, Event, Licenses, Platform};
+use crate::app::{App, Event, Licenses, Place, Platform, PlatformError};
 use placement::PlacedApp;
 use state::State;
 use std::process::ExitCode;
@@ -87,15 +88,15 @@ impl Default for Desktop {
 }
 
 impl Platform for Desktop {
-    fn load(&self) -> Result<Option<String>, String> {
+    fn load(&self) -> Result<Option<String>, PlatformError> {
         self.state.load()
     }
 
-    fn save(&mut self, text: &str) -> Result<(), String> {
+    fn save(&mut self, text: &str) -> Result<(), PlatformError> {
         self.state.save(text)
     }
 
-    fn set_aside(&mut self) -> Result<Option<String>, String> {
+    fn set_aside(&mut self) -> Result<Option<Place>, PlatformError> {
         self.state.set_aside()
     }
 

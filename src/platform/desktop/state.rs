@@ -1,5 +1,6 @@
 //! The state, in a file of the user's configuration folder.
 
+use crate::app::{Place, PlatformError};
 use std::fs::{self, File};
 use std::io::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -7,11 +8,11 @@ use std::path::{Path, PathBuf};
 /// The folder of everything that the program keeps.
 ///
 /// # Errors
-/// A sentence where there is none.
-pub fn folder() -> Result<PathBuf, String> {
+/// [`PlatformError::NoHomeFolder`].
+pub fn folder() -> Result<PathBuf, PlatformError> {
     directories::ProjectDirs::from("", "", "depth-calculator")
         .map(|folders| folders.config_dir().to_owned())
-        .ok_or_else(|| "There is no home folder to store anything in.".to_owned())
+        .ok_or(PlatformError::NoHomeFolder)
 }
 
 /// Replaces the contents of `file` by `text`. Creates its folder where that is missing.
@@ -30,50 +31,56 @@ pub fn replace(file: &Path, text: &str) -> Result<(), Error> {
 
 /// The file of the state. Its name contains the version of the format.
 pub struct State {
-    file: Result<PathBuf, String>,
+    file: Result<PathBuf, PlatformError>,
 }
 
 impl State {
     /// The file in `folder`.
-    pub fn within(folder: Result<PathBuf, String>) -> Self {
+    pub fn within(folder: Result<PathBuf, PlatformError>) -> Self {
         Self {
             file: folder.map(|folder| folder.join("state-v1.json")),
         }
     }
 
-    fn file(&self) -> Result<&Path, String> {
+    fn file(&self) -> Result<&Path, PlatformError> {
         self.file.as_deref().map_err(Clone::clone)
     }
 
     /// The stored text, if there is any.
     ///
     /// # Errors
-    /// A sentence that names the file.
-    pub fn load(&self) -> Result<Option<String>, String> {
+    /// [`PlatformError::NoHomeFolder`] or [`PlatformError::FileNotRead`].
+    pub fn load(&self) -> Result<Option<String>, PlatformError> {
         let file = self.file()?;
         match fs::read(file) {
             // Bytes that are not UTF-8 are treated as a corrupt state.
             Ok(bytes) => Ok(Some(String::from_utf8_lossy(&bytes).into_owned())),
             Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
-            Err(error) => Err(format!("What was stored in {} cannot be read: {error}.", file.display())),
+            Err(error) => Err(PlatformError::FileNotRead {
+                file: file.to_owned(),
+                reason: error.to_string(),
+            }),
         }
     }
 
     /// Stores `text` over what was stored.
     ///
     /// # Errors
-    /// A sentence that names the file.
-    pub fn save(&self, text: &str) -> Result<(), String> {
+    /// [`PlatformError::NoHomeFolder`] or [`PlatformError::FileNotWritten`].
+    pub fn save(&self, text: &str) -> Result<(), PlatformError> {
         let file = self.file()?;
-        replace(file, text).map_err(|error| format!("What you entered cannot be stored in {}: {error}.", file.display()))
+        replace(file, text).map_err(|error| PlatformError::FileNotWritten {
+            file: file.to_owned(),
+            reason: error.to_string(),
+        })
     }
 
     /// Moves the file, byte for byte, to a name beside it that nothing has: `state-v1.old`, then `state-v1.old-2` and so on.
-    /// Returns where it is then, as the end of a sentence, or nothing where there is no file.
+    /// Returns where it is then, or nothing where there is no file.
     ///
     /// # Errors
-    /// A sentence that names the file, which is then where it was.
-    pub fn set_aside(&self) -> Result<Option<String>, String> {
+    /// [`PlatformError::NoHomeFolder`] or [`PlatformError::FileNotRenamed`]. The file is then where it was.
+    pub fn set_aside(&self) -> Result<Option<Place>, PlatformError> {
         let file = self.file()?;
         if matches!(fs::symlink_metadata(file), Err(error) if error.kind() == ErrorKind::NotFound) {
             return Ok(None);
@@ -87,8 +94,11 @@ impl State {
             }
         });
         match moved {
-            Ok(aside) => Ok(Some(format!("in the file {}", aside.display()))),
-            Err(error) => Err(format!("{} cannot be renamed: {error}.", file.display())),
+            Ok(aside) => Ok(Some(Place::File(aside))),
+            Err(error) => Err(PlatformError::FileNotRenamed {
+                file: file.to_owned(),
+                reason: error.to_string(),
+            }),
         }
     }
 }
@@ -142,7 +152,7 @@ mod tests {
         fs::create_dir_all(&folder).unwrap();
         for (name, bytes) in names.iter().zip(texts) {
             fs::write(folder.join("state-v1.json"), bytes).unwrap();
-            assert_eq!(state.set_aside(), Ok(Some(format!("in the file {}", folder.join(name).display()))));
+            assert_eq!(state.set_aside(), Ok(Some(Place::File(folder.join(name)))));
             assert_eq!(state.load(), Ok(None), "moved, so that it is not set aside again at the next start");
             state.save("a good state").unwrap();
         }
@@ -158,9 +168,13 @@ mod tests {
         let state = State::within(Ok(folder.clone()));
         // A folder in the place of the file: it cannot be read, nor take the name of a file.
         fs::create_dir_all(folder.join("state-v1.json")).unwrap();
-        assert!(state.load().unwrap_err().contains("state-v1.json"));
-        if let Err(reason) = state.set_aside() {
-            assert!(reason.contains("state-v1.json"), "{reason}");
+        let state_file = folder.join("state-v1.json");
+        assert!(matches!(state.load(), Err(PlatformError::FileNotRead { file, .. }) if file == state_file));
+        if let Err(error) = state.set_aside() {
+            assert!(
+                matches!(&error, PlatformError::FileNotRenamed { file, .. } if *file == state_file),
+                "{error}"
+            );
             assert!(folder.join("state-v1.json").is_dir());
             assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
         }
@@ -169,10 +183,9 @@ mod tests {
 
     #[test]
     fn without_a_home_every_answer_says_so() {
-        let state = State::within(Err("There is no home.".to_owned()));
-        let expected = "There is no home.";
-        assert_eq!(state.load().unwrap_err(), expected);
-        assert_eq!(state.save("text").unwrap_err(), expected);
-        assert_eq!(state.set_aside().unwrap_err(), expected);
+        let state = State::within(Err(PlatformError::NoHomeFolder));
+        assert_eq!(state.load(), Err(PlatformError::NoHomeFolder));
+        assert_eq!(state.save("text"), Err(PlatformError::NoHomeFolder));
+        assert_eq!(state.set_aside(), Err(PlatformError::NoHomeFolder));
     }
 }

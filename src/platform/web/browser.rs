@@ -5,12 +5,12 @@ use std::rc::Rc;
 
 use wasm_bindgen::{JsCast as _, JsValue};
 
-use crate::app::{Event, Licenses, Platform, SystemColors};
+use crate::app::{Event, Licenses, Place, Platform, PlatformError, SystemColors};
 
 /// The key in local storage. The number is the version of the format; one origin may serve several programs.
 pub(super) const STORAGE_KEY: &str = "depth-calculator/v1";
 
-/// What has happened and the program has not taken yet. Clones share it, as the browser tells each listener on its own.
+/// The events that the program has not handled yet. Clones share one list, as each listener of the browser has a clone of its own.
 #[derive(Clone)]
 pub(super) struct Inbox {
     events: Rc<RefCell<Vec<Event>>>,
@@ -18,7 +18,7 @@ pub(super) struct Inbox {
 }
 
 impl Inbox {
-    /// An empty inbox that wakes the program of `ctx`.
+    /// An empty inbox, which requests a repaint of `ctx` for each event.
     pub(super) fn new(ctx: &egui::Context) -> Self {
         Self {
             events: Rc::default(),
@@ -26,7 +26,7 @@ impl Inbox {
         }
     }
 
-    /// Adds `event` and wakes the program.
+    /// Adds `event` and requests a repaint.
     pub(super) fn add(&self, event: Event) {
         self.events.borrow_mut().push(event);
         self.ctx.request_repaint();
@@ -39,35 +39,32 @@ pub(super) struct Browser {
 }
 
 impl Browser {
-    /// The browser, which tells what happens through `inbox`.
+    /// The browser, whose events are read from `inbox`.
     pub(super) const fn new(inbox: Inbox) -> Self {
         Self { inbox }
     }
 }
 
 impl Platform for Browser {
-    fn load(&self) -> Result<Option<String>, String> {
+    fn load(&self) -> Result<Option<String>, PlatformError> {
         storage()?
             .get_item(STORAGE_KEY)
-            .map_err(|error| format!("This browser does not let the page read what it stored: {}", sentence(&error)))
+            .map_err(|error| PlatformError::StorageNotRead { reason: sentence(&error) })
     }
 
-    fn save(&mut self, text: &str) -> Result<(), String> {
+    fn save(&mut self, text: &str) -> Result<(), PlatformError> {
         let outcome = storage().and_then(|storage| {
-            storage.set_item(STORAGE_KEY, text).map_err(|error| {
-                format!(
-                    "This browser could not store your inputs: {} Its storage for this site may be full: clear what you no longer need.",
-                    sentence(&error)
-                )
-            })
+            storage
+                .set_item(STORAGE_KEY, text)
+                .map_err(|error| PlatformError::StorageNotWritten { reason: sentence(&error) })
         });
         super::page::note_kept(outcome.is_ok());
         outcome
     }
 
-    fn set_aside(&mut self) -> Result<Option<String>, String> {
-        let outcome = storage()
-            .and_then(|storage| set_aside(&storage).map_err(|error| format!("This browser could not set it aside: {}", sentence(&error))));
+    fn set_aside(&mut self) -> Result<Option<Place>, PlatformError> {
+        let outcome =
+            storage().and_then(|storage| set_aside(&storage).map_err(|error| PlatformError::NotSetAside { reason: sentence(&error) }));
         super::page::note_kept(outcome.is_ok());
         outcome
     }
@@ -75,8 +72,8 @@ impl Platform for Browser {
     fn copy(&mut self, _ctx: &egui::Context, text: String) {
         let clipboard = match clipboard() {
             Ok(clipboard) => clipboard,
-            Err(reason) => {
-                self.inbox.add(Event::Copied(Err(reason)));
+            Err(error) => {
+                self.inbox.add(Event::Copied(Err(error)));
                 return;
             }
         };
@@ -87,10 +84,7 @@ impl Platform for Browser {
             let outcome = wasm_bindgen_futures::JsFuture::from(promise).await;
             inbox.add(Event::Copied(match outcome {
                 Ok(_undefined) => Ok(()),
-                Err(error) => Err(format!(
-                    "This browser refused to copy: {} Allow this page to use the clipboard and try again.",
-                    sentence(&error)
-                )),
+                Err(error) => Err(PlatformError::CopyDenied { reason: sentence(&error) }),
             }));
         });
     }
@@ -110,21 +104,16 @@ impl Platform for Browser {
     }
 }
 
-fn storage() -> Result<web_sys::Storage, String> {
+fn storage() -> Result<web_sys::Storage, PlatformError> {
     web_sys::window()
-        .ok_or("There is no browser window.")?
+        .ok_or(PlatformError::NoWindow)?
         .local_storage()
-        .map_err(|error| {
-            format!(
-                "This browser does not let the page store anything: {} Allow this page to store data and reload it.",
-                sentence(&error)
-            )
-        })?
-        .ok_or_else(|| "This browser has no storage for pages.".to_owned())
+        .map_err(|error| PlatformError::StorageDenied { reason: sentence(&error) })?
+        .ok_or(PlatformError::NoStorage)
 }
 
 /// Moves what is stored to a key that nothing has. `assets/web/start.js` does the same.
-fn set_aside(storage: &web_sys::Storage) -> Result<Option<String>, JsValue> {
+fn set_aside(storage: &web_sys::Storage) -> Result<Option<Place>, JsValue> {
     let Some(text) = storage.get_item(STORAGE_KEY)? else {
         return Ok(None);
     };
@@ -136,14 +125,14 @@ fn set_aside(storage: &web_sys::Storage) -> Result<Option<String>, JsValue> {
     }
     storage.set_item(&key, &text)?;
     storage.remove_item(STORAGE_KEY)?;
-    Ok(Some(format!("in this browser's storage, under the key “{key}”")))
+    Ok(Some(Place::Storage(key)))
 }
 
-fn clipboard() -> Result<web_sys::Clipboard, String> {
-    let clipboard = web_sys::window().ok_or("There is no browser window.")?.navigator().clipboard();
+fn clipboard() -> Result<web_sys::Clipboard, PlatformError> {
+    let clipboard = web_sys::window().ok_or(PlatformError::NoWindow)?.navigator().clipboard();
     // `web-sys` has no type for it, but browsers leave it undefined on pages that are not a secure context.
     if clipboard.is_undefined() {
-        return Err("This browser copies only from pages that arrive over https or from this computer: open the page that way.".to_owned());
+        return Err(PlatformError::NoClipboard);
     }
     Ok(clipboard)
 }
@@ -160,7 +149,7 @@ pub(super) fn link() -> Option<String> {
     Some(fragment)
 }
 
-/// The colors that the person has chosen for everything on the screen, read from an element that has them for a moment.
+/// The system colors, where the browser uses forced colors; read from the computed style of a temporary element.
 pub(super) fn system_colors() -> Option<SystemColors> {
     if !super::page::matches("(forced-colors: active)") {
         return None;
@@ -170,7 +159,7 @@ pub(super) fn system_colors() -> Option<SystemColors> {
     let probe: web_sys::HtmlElement = document.create_element("span").ok()?.dyn_into().ok()?;
     document.body()?.append_child(&probe).ok()?;
     let color = |name: &str| {
-        // Else it would have the color of the text.
+        // With `forced-color-adjust: auto` the computed color would be that of the text.
         probe.style().set_css_text(&format!("forced-color-adjust:none;color:{name}"));
         let style = window.get_computed_style(&probe).ok()??;
         style.get_property_value("color").ok()

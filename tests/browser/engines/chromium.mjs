@@ -71,7 +71,7 @@ export const chromium = {
   },
 
   /** As if somebody had chosen colors for everything on the screen. */
-  async chooseColours(driver) {
+  async chooseColors(driver) {
     await driver.sendDevToolsCommand('Emulation.setEmulatedMedia', { features: [{ name: 'forced-colors', value: 'active' }] });
   },
 

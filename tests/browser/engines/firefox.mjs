@@ -82,7 +82,7 @@ export const firefox = {
     await inFirefox(driver, script, width, height, dark);
   },
 
-  async chooseColours(driver) {
+  async chooseColors(driver) {
     await inFirefox(driver, "Services.prefs.setIntPref('browser.display.document_color_use', 2)");
   },
 

@@ -1,5 +1,6 @@
 //! Two distances to the same object made one.
 
+use super::comparison::Comparison;
 use crate::arithmetic::{log_ratio, root_sum_of_squares};
 use crate::measured::Measured;
 use crate::model::Model;
@@ -8,9 +9,12 @@ use crate::quantity::Length;
 /// The two distances combined, weighted by what each does not share with the other.
 ///
 /// With r₁ and r₂ the relative σ of each without the focal length and r_f = σ_f/f:
-/// ln Z = (ln Z₁/r₁² + ln Z₂/r₂²)/(1/r₁² + 1/r₂²) and (σ/Z)² = 1/(1/r₁² + 1/r₂²) + r_f².
-/// The result lies between the two, and its relative σ is never more than the smaller one. Where one of them has no
-/// uncertainty of its own it is the result; `None` where neither has: nothing is there to weigh them with.
+/// ln Z = (ln Z₁/r₁² + ln Z₂/r₂²)/(1/r₁² + 1/r₂²) and (σ/Z)² = 1/(1/r₁² + 1/r₂²) + r_f², with r₁ and r₂ multiplied by
+/// max(1, z), z being how many σ the two are apart: what differs by more than its σ has a larger one.
+/// The result lies between the two. Where one of them has no uncertainty of its own it is the result.
+///
+/// `None` where neither has: nothing is there to weigh them with. And where they [contradict](super::Comparison::contradict)
+/// each other: nothing between them would be right.
 ///
 /// Both models must have the same focal length; r_f is taken from `first`.
 ///
@@ -31,7 +35,8 @@ use crate::quantity::Length;
 ///
 /// Source: weighted least squares (Gauss–Markov) for two measurements of ln Z with a common error, with the weights of
 /// the independent parts, which keeps the result between the two where the optimal weights may not (R. W. Peelle's
-/// puzzle, 1987).
+/// puzzle, 1987). The factor is the Birge ratio √(χ²/(N − 1)) for N = 2, as the Particle Data Group scales the errors of
+/// measurements that do not agree well (Review of Particle Physics, Introduction, 5.2.2).
 pub fn combine(first: &Model, second: &Model) -> Option<Measured<Length>> {
     let (z1, z2) = (first.depth().m(), second.depth().m());
     let (r1, r2) = (first.own_relative_sigma(), second.own_relative_sigma());
@@ -39,6 +44,11 @@ pub fn combine(first: &Model, second: &Model) -> Option<Measured<Length>> {
     if r == 0.0 {
         return None;
     }
+    let comparison = Comparison::of(first, second);
+    if comparison.contradict() {
+        return None;
+    }
+    let widened = comparison.agreement.map_or(1.0, |agreement| agreement.z.max(1.0));
     let weight_of_second = (r1 / r) * (r1 / r);
     let log_ratio = log_ratio(z1, z2);
     // From the weightier of the two, so that the exponential stays in range however far they are apart.
@@ -48,6 +58,6 @@ pub fn combine(first: &Model, second: &Model) -> Option<Measured<Length>> {
         z2 * ((r2 / r) * (r2 / r) * log_ratio).exp()
     };
     let value = value.clamp(z1.min(z2), z1.max(z2));
-    let relative = root_sum_of_squares(&[r1 * (r2 / r), first.focal_length().relative()]);
+    let relative = root_sum_of_squares(&[widened * r1 * (r2 / r), first.focal_length().relative()]);
     Some(Measured::from_base(value, value * relative))
 }

@@ -6,13 +6,23 @@ use crate::model::Model;
 /// How well two distances agree.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Agreement {
+    /// Their difference in standard deviations.
+    pub z: f64,
+    /// What that means.
+    pub verdict: Verdict,
+}
+
+/// One distance against another one to the same object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Comparison {
     /// First distance over second; `None` where it is too large or too small to be represented.
     pub ratio: Option<f64>,
-    /// Their difference in standard deviations; `None` where neither has an uncertainty of its own.
-    pub z: Option<f64>,
-    /// What that means; `None` where `z` is.
-    pub verdict: Option<Verdict>,
+    /// How well they agree; `None` unless each has an uncertainty of its own.
+    pub agreement: Option<Agreement>,
 }
+
+/// The ratio of two distances from which on they contradict each other where no uncertainty says so.
+pub const LARGEST_RATIO: f64 = 1.5;
 
 /// What a difference of so many standard deviations means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,36 +54,73 @@ impl Verdict {
     }
 }
 
-/// Compares two distances that were computed from the same focal length.
-///
-/// z = |ln(Z₁/Z₂)|/√(r₁² + r₂²) with the relative σ of each without the focal length, which both share.
-///
-/// ```
-/// use depth_core::agreement::{Verdict, compare};
-/// # use depth_core::measured::Measured;
-/// # use depth_core::uncertainty::Model;
-/// # let exact = |px: f64| Measured::from_base(px, 0.0);
-/// let stereo = Model::stereo(exact(700.0), Measured::from_base(0.1, 0.0), Measured::from_base(50.0, 2.0), exact(0.0))?;
-/// let monocular = Model::monocular(exact(700.0), Measured::from_base(0.6, 0.0), Measured::from_base(150.0, 6.0))?;
-///
-/// // 1.4 m and 2.8 m, each to 4 %: ln 2 is 12 times 4 %·√2.
-/// let agreement = compare(&stereo, &monocular);
-/// assert_eq!(agreement.verdict, Some(Verdict::Disagree));
-/// assert!((agreement.z.unwrap() - 12.25).abs() < 0.01);
-/// # Ok::<(), depth_core::judge::Unsolvable>(())
-/// ```
-///
-/// Source: the ζ score of ISO 13528 (difference over its standard uncertainty, with its limits 2 and 3), here of the
-/// logarithms, because both distances are products.
-pub fn compare(first: &Model, second: &Model) -> Agreement {
-    let (z1, z2) = (first.depth().m(), second.depth().m());
-    let log_ratio = log_ratio(z1, z2);
-    let sigma = root_sum_of_squares(&[first.own_relative_sigma(), second.own_relative_sigma()]);
-    let z = (sigma > 0.0).then(|| (log_ratio.abs() / sigma).min(f64::MAX));
-    let verdict = z.map(Verdict::of);
-    Agreement {
-        ratio: Some(z1 / z2).filter(|ratio| ratio.is_normal()),
-        z,
-        verdict,
+impl Comparison {
+    /// Compares two distances that were computed from the same focal length.
+    ///
+    /// z = |ln(Z₁/Z₂)|/√(r₁² + r₂²) with the relative σ of each without the focal length, which both share.
+    ///
+    /// ```
+    /// use depth_core::agreement::{Comparison, Verdict};
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::uncertainty::Model;
+    /// # let exact = |px: f64| Measured::from_base(px, 0.0);
+    /// let stereo = Model::stereo(exact(700.0), Measured::from_base(0.1, 0.0), Measured::from_base(50.0, 2.0), exact(0.0))?;
+    /// let monocular = Model::monocular(exact(700.0), Measured::from_base(0.6, 0.0), Measured::from_base(150.0, 6.0))?;
+    ///
+    /// // 1.4 m and 2.8 m, each to 4 %: ln 2 is 12 times 4 %·√2.
+    /// let agreement = Comparison::of(&stereo, &monocular).agreement.unwrap();
+    /// assert_eq!(agreement.verdict, Verdict::Disagree);
+    /// assert!((agreement.z - 12.25).abs() < 0.01);
+    /// # Ok::<(), depth_core::judge::Unsolvable>(())
+    /// ```
+    ///
+    /// Source: the ζ score of ISO 13528 (difference over its standard uncertainty, with its limits 2 and 3), here of the
+    /// logarithms, because both distances are products.
+    pub fn of(first: &Model, second: &Model) -> Self {
+        let (z1, z2) = (first.depth().m(), second.depth().m());
+        let (r1, r2) = (first.own_relative_sigma(), second.own_relative_sigma());
+        let agreement = (r1 > 0.0 && r2 > 0.0).then(|| {
+            let z = (log_ratio(z1, z2).abs() / root_sum_of_squares(&[r1, r2])).min(f64::MAX);
+            Agreement {
+                z,
+                verdict: Verdict::of(z),
+            }
+        });
+        Self {
+            ratio: Some(z1 / z2).filter(|ratio| ratio.is_normal()),
+            agreement,
+        }
+    }
+
+    /// Whether not both can be right: they are more than 3 σ apart or, where not each has a σ of its own, one is more than
+    /// [1.5 times](LARGEST_RATIO) the other.
+    ///
+    /// ```
+    /// use depth_core::agreement::Comparison;
+    ///
+    /// assert!(Comparison { ratio: Some(10.0), agreement: None }.contradict());
+    /// assert!(!Comparison { ratio: Some(1.2), agreement: None }.contradict());
+    /// ```
+    pub fn contradict(&self) -> bool {
+        match (self.agreement, self.ratio) {
+            (Some(agreement), _) => agreement.verdict == Verdict::Disagree,
+            (None, Some(ratio)) => ratio.max(1.0 / ratio) > LARGEST_RATIO,
+            // Too far apart to be represented.
+            (None, None) => true,
+        }
+    }
+
+    /// Whether nothing speaks against both: they neither [contradict](Self::contradict) each other nor are they doubtful.
+    ///
+    /// ```
+    /// use depth_core::agreement::Comparison;
+    ///
+    /// assert!(Comparison { ratio: Some(1.2), agreement: None }.is_fine());
+    /// ```
+    pub fn is_fine(&self) -> bool {
+        match self.agreement {
+            Some(agreement) => agreement.verdict == Verdict::Agree,
+            None => !self.contradict(),
+        }
     }
 }

@@ -8,5 +8,5 @@ mod comparison;
 mod suspects;
 
 pub use combination::combine;
-pub use comparison::{Agreement, Verdict, compare};
+pub use comparison::{Agreement, Comparison, LARGEST_RATIO, Verdict};
 pub use suspects::{Suspect, suspects};

@@ -1,6 +1,6 @@
 //! What is likely to be wrong where two distances to the same object disagree.
 
-use super::comparison::{Verdict, compare};
+use super::comparison::Comparison;
 use crate::arithmetic::log_ratio;
 use crate::field::Field;
 use crate::model::Model;
@@ -42,8 +42,8 @@ pub enum Suspect {
 const BLUNDER_TOLERANCE: f64 = 0.08;
 
 /// What to look at where two distances that were computed from the same focal length disagree, likeliest first: blunders
-/// that would explain their ratio, inputs that claim to be exact, the vaguest input. Empty where they
-/// [agree](Verdict::Agree). The focal length is never a suspect: it cancels.
+/// that would explain their ratio and, where each has a σ of its own, inputs that claim to be exact and the vaguest one. Empty where
+/// [nothing speaks against both](Comparison::is_fine). The focal length is never a suspect: it cancels.
 ///
 /// ```
 /// use depth_core::agreement::{Suspect, suspects};
@@ -62,7 +62,8 @@ const BLUNDER_TOLERANCE: f64 = 0.08;
 /// ```
 pub fn suspects(first: &Model, second: &Model) -> Vec<Suspect> {
     let log_ratio = log_ratio(first.depth().m(), second.depth().m());
-    if compare(first, second).verdict == Some(Verdict::Agree) || log_ratio.abs() < 1e-12 {
+    let comparison = Comparison::of(first, second);
+    if comparison.is_fine() || log_ratio.abs() < 1e-12 {
         return Vec::new();
     }
     let mut blunders: Vec<(f64, Suspect)> = blunders(first)
@@ -84,9 +85,12 @@ pub fn suspects(first: &Model, second: &Model) -> Vec<Suspect> {
         .filter(|&(source, relative)| source != Field::FocalLength && relative > 0.0)
         .max_by(|(_, a), (_, b)| a.total_cmp(b));
 
+    let blunders = blunders.into_iter().map(|(_, blunder)| blunder);
+    if comparison.agreement.is_none() {
+        // Nobody has said how well anything is known.
+        return blunders.collect();
+    }
     blunders
-        .into_iter()
-        .map(|(_, blunder)| blunder)
         .chain(exact.map(|(source, _)| Suspect::NoSigma(source)))
         .chain(largest.map(|(source, _)| Suspect::LargestSigma(source)))
         .collect()

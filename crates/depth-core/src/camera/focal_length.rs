@@ -44,6 +44,25 @@ pub fn focal_length_from_sensor_width(lens: Length, sensor_width: Length, image_
     signed_times_over(lens.m(), image_width.px(), sensor_width.m()).and_then(positive)
 }
 
+/// Focal length in pixels from the same as a multiple of an extent of the image: of its width (files of structure from motion), or
+/// of half of it (an OpenGL projection matrix's P00).
+///
+/// ```
+/// use depth_core::camera::focal_length_from_multiple;
+/// use depth_core::quantity::Pixels;
+///
+/// // A multiple of ½ of the width: a view of 90°.
+/// assert_eq!(focal_length_from_multiple(0.5, Pixels::new(1280.0)), Some(Pixels::new(640.0)));
+/// ```
+///
+/// Source: OpenGL, `glFrustum`: P00 = 2·near/(right − left), with the image from −1 to 1.
+pub fn focal_length_from_multiple(multiple: f64, extent: Pixels) -> Option<Pixels> {
+    if judge::positive(multiple).is_err() || judge::positive(extent.px()).is_err() {
+        return None;
+    }
+    positive(multiple * extent.px())
+}
+
 /// Focal length in pixels from a field of view and the extent of the image along the same direction,
 /// f = (extent/2)/tan(view/2): horizontal with the width, vertical with the height, [`diagonal`] with the diagonal.
 ///

@@ -1,155 +1,283 @@
-//! A camera above a flat, level floor: the distance along the floor.
+//! A camera above a level floor: where the ray of a pixel meets it, or the level plane that a target stands out to.
 
 use crate::angle::Angle;
 use crate::arithmetic::root_sum_of_squares;
 use crate::field::Field;
-use crate::judge::{self, Term, Unsolvable};
+use crate::judge::{self, Refusal, Term, Unsolvable};
 use crate::measured::Measured;
 use crate::quantity::{Length, Pixels};
 use std::f64::consts::FRAC_PI_2;
 
-/// A camera above a flat, level floor, looking at a point of it.
+/// How far below the optical axis a point is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum BelowAxis {
+    /// At this row of the image.
+    Row {
+        /// The row, v.
+        row: Measured<Pixels>,
+        /// Row of the principal point.
+        cy: Pixels,
+        /// Focal length along the columns. Its σ is that of [`RightOfAxis::fx`] too: they scale together.
+        fy: Measured<Pixels>,
+    },
+    /// At this angle below the axis, in the plane of the axis and the vertical.
+    Angle(Measured<Angle>),
+}
+
+/// How far to the right of the optical axis a point is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RightOfAxis {
+    /// The column, u.
+    pub column: Pixels,
+    /// Column of the principal point.
+    pub cx: Pixels,
+    /// Focal length along the rows.
+    pub fx: Measured<Pixels>,
+}
+
+/// A camera above a level floor, without roll, looking at a point of known height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GroundView {
     /// Height of the camera above the floor.
     pub height: Measured<Length>,
+    /// Height of the point above the floor: 0 for one on the floor. It may be above the camera.
+    pub target_height: Length,
     /// How far the optical axis points down from the horizontal.
     pub pitch: Measured<Angle>,
-    /// Row at which the point is seen.
-    pub row: Measured<Pixels>,
-    /// Focal length along the columns.
-    pub fy: Pixels,
-    /// Row of the principal point.
-    pub cy: Pixels,
+    /// Where the point is seen, up and down.
+    pub below_axis: BelowAxis,
+    /// Where it is seen, left and right; `None` where that is not asked for: straight ahead.
+    pub right_of_axis: Option<RightOfAxis>,
 }
 
-/// What a [`GroundView`] shows.
+/// Where the point is, seen from the floor below the camera, with first-order σ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GroundSolution {
-    /// Horizontal distance to the point, along the floor.
+    /// Along the floor, √(ahead² + right²).
     pub distance: Measured<Length>,
-    /// The row at which the floor ends; `None` where the camera looks straight down.
+    /// In the direction in which the camera looks; negative behind it.
+    pub ahead: Measured<Length>,
+    /// To the right of that; `None` without a column.
+    pub right: Option<Measured<Length>>,
+    /// From the lens to the point.
+    pub slant: Measured<Length>,
+    /// The row at which the floor ends; `None` without rows, or where the camera looks straight up or down.
     pub horizon_row: Option<Pixels>,
 }
 
+/// A result with its derivatives.
+struct Partials {
+    value: f64,
+    per_meter_of_height: f64,
+    per_radian_of_pitch: f64,
+    /// With respect to the slope y.
+    per_slope: f64,
+    /// With respect to the slope x.
+    per_slope_right: f64,
+}
+
 impl GroundView {
-    /// The distance and where the floor ends.
+    /// Where the ray meets the level plane at the height of the point.
+    ///
+    /// With h the height of the camera above the point, θ its pitch, y = (v − cy)/fy and x = (u − cx)/fx: the ray (x, y, 1)
+    /// meets the plane at its multiple s = h/(sin θ + y·cos θ); ahead s·(cos θ − y·sin θ), right s·x, slant s·√(1 + x² + y²).
     ///
     /// ```
     /// use depth_core::angle::Angle;
-    /// use depth_core::camera::GroundView;
+    /// use depth_core::camera::{BelowAxis, GroundView};
     /// use depth_core::measured::Measured;
     /// use depth_core::quantity::{Length, Pixels};
     ///
     /// let view = GroundView {
-    ///     height: Measured::exact(Length::from_m(1.5)),
+    ///     height: Measured::new(Length::from_m(1.5), Length::from_m(0.1)),
+    ///     target_height: Length::from_m(0.0),
     ///     pitch: Measured::exact(Angle::from_degrees(0.0)),
-    ///     row: Measured::exact(Pixels::new(1050.0)),
-    ///     fy: Pixels::new(700.0),
-    ///     cy: Pixels::new(350.0),
+    ///     below_axis: BelowAxis::Row {
+    ///         row: Measured::exact(Pixels::new(1050.0)),
+    ///         cy: Pixels::new(350.0),
+    ///         fy: Measured::exact(Pixels::new(700.0)),
+    ///     },
+    ///     right_of_axis: None,
     /// };
     /// let floor = view.solve().unwrap();
-    /// // A level camera; 700 rows below the axis at f = 700 px is a slope of 45°: as far as the camera is high.
+    /// // A level camera; 700 rows below the axis at f = 700 px is a slope of 45°: as far as the camera is high, and as well known.
     /// assert!((floor.distance.value.m() - 1.5).abs() < 1e-12);
+    /// assert!((floor.distance.sigma.m() - 0.1).abs() < 1e-12);
     /// assert_eq!(floor.horizon_row, Some(Pixels::new(350.0)));
-    /// ```
-    ///
-    /// # Errors
-    /// As [`distance`](Self::distance).
-    pub fn solve(&self) -> Result<GroundSolution, Unsolvable> {
-        Ok(GroundSolution {
-            distance: self.distance()?,
-            horizon_row: self.horizon_row(),
-        })
-    }
-
-    /// Horizontal distance to the point with its σ to first order: D = h/tan(θ + atan((v − cy)/fy)), with
-    /// dD/dh = D/h, dD/dθ = −(D² + h²)/h and dD/dv = dD/dθ·fy/(fy² + (v − cy)²).
-    ///
-    /// ```
-    /// # use depth_core::angle::Angle;
-    /// # use depth_core::camera::GroundView;
-    /// # use depth_core::measured::Measured;
-    /// # use depth_core::quantity::{Length, Pixels};
-    /// let view = GroundView {
-    ///     height: Measured::new(Length::from_m(1.5), Length::from_m(0.1)),
-    ///     pitch: Measured::exact(Angle::from_degrees(0.0)),
-    ///     row: Measured::exact(Pixels::new(1050.0)),
-    ///     fy: Pixels::new(700.0),
-    ///     cy: Pixels::new(350.0),
-    /// };
-    /// // A slope of 45°: as far as the camera is high, and as well known.
-    /// let distance = view.distance().unwrap();
-    /// assert!((distance.value.m() - 1.5).abs() < 1e-12);
-    /// assert!((distance.sigma.m() - 0.1).abs() < 1e-12);
     /// ```
     ///
     /// # Errors
     /// [`Unsolvable`].
     ///
     /// Source: intersection of the pixel's ray with a plane (Hartley and Zisserman, 8.1); JCGM 100:2008 (GUM), 5.1.2, for σ.
-    pub fn distance(&self) -> Result<Measured<Length>, Unsolvable> {
-        let below_axis = self.below_axis()?;
-        let height = self.height.value.m();
-        let down = self.pitch.value.radians() + below_axis.atan();
-        if down <= 0.0 {
-            return Err(Unsolvable::AboveHorizon {
-                horizon: self.horizon_row(),
+    pub fn solve(&self) -> Result<GroundSolution, Unsolvable> {
+        let height = judge::positive_measured(Term::CameraHeight, self.height)?;
+        judge::value(Term::TargetHeight, judge::finite(self.target_height.m()))?;
+        let pitch = judge::finite_measured(Term::Pitch, self.pitch)?;
+        let y = self.slope_down()?;
+        let x = self.slope_right()?;
+        let h = height.value.m() - self.target_height.m();
+        if h == 0.0 {
+            // The plane of the target goes through the lens and is seen from its edge.
+            return Err(Unsolvable::Value {
+                term: Term::TargetHeight,
+                refusal: Refusal::Zero,
             });
         }
-        if down >= FRAC_PI_2 {
-            return Err(Unsolvable::BelowCamera {
-                down: Angle::from_radians(down),
+        let (sin, cos) = sin_cos(pitch.value);
+        let (down, forward) = (sin + y.value * cos, cos - y.value * sin);
+        let s = h / down;
+        if !(s.is_finite() && s > 0.0) {
+            let horizon = self.horizon_row();
+            let with_opposite_pitch = h / (y.value * cos - sin);
+            let meets_with_opposite_pitch = with_opposite_pitch.is_finite() && with_opposite_pitch > 0.0;
+            return Err(Unsolvable::MissesPlane {
+                horizon,
+                meets_with_opposite_pitch,
             });
         }
-        let distance = height / down.tan();
-        // (D² + h²)/h = h/sin², without squaring a length.
-        let per_radian = height / down.sin() / down.sin();
-        let sigma = root_sum_of_squares(&[
-            self.height.sigma.m() / down.tan(),
-            per_radian * self.pitch.sigma.radians(),
-            per_radian * (self.row.sigma.px() / self.fy.px() / (1.0 + below_axis * below_axis)),
-        ]);
-        if distance.is_finite() && sigma.is_finite() {
-            Ok(Measured::from_base(distance, sigma))
-        } else {
-            Err(Unsolvable::too_extreme(Term::Distance))
-        }
+        let length = root_sum_of_squares(&[1.0, x, y.value]);
+        let ahead = Partials {
+            value: s * forward,
+            per_meter_of_height: s * forward / h,
+            per_radian_of_pitch: -(s / down) * (1.0 + y.value * y.value),
+            per_slope: -s / down,
+            per_slope_right: 0.0,
+        };
+        let right = Partials {
+            value: s * x,
+            per_meter_of_height: s * x / h,
+            per_radian_of_pitch: -(s / down) * x * forward,
+            per_slope: -(s / down) * x * cos,
+            per_slope_right: s,
+        };
+        let slant = Partials {
+            value: s * length,
+            per_meter_of_height: s * length / h,
+            per_radian_of_pitch: -(s / down) * length * forward,
+            per_slope: -(s / down) * length * cos + s * y.value / length,
+            per_slope_right: s * x / length,
+        };
+        let distance = along_floor(&ahead, &right);
+        let is_row = matches!(self.below_axis, BelowAxis::Row { .. });
+        let focal_length = self.relative_sigma_of_focal_length();
+        let measured = |of: &Partials| {
+            let sigma = root_sum_of_squares(&[
+                of.per_meter_of_height * height.sigma.m(),
+                of.per_radian_of_pitch * pitch.sigma.radians(),
+                of.per_slope * y.sigma,
+                // A longer focal length makes both slopes smaller.
+                of.per_slope * (if is_row { y.value } else { 0.0 }) * focal_length + of.per_slope_right * x * focal_length,
+            ]);
+            if of.value.is_finite() && sigma.is_finite() {
+                Ok(Measured::from_base(of.value, sigma))
+            } else {
+                Err(Unsolvable::too_extreme(Term::Distance))
+            }
+        };
+        Ok(GroundSolution {
+            distance: measured(&distance)?,
+            ahead: measured(&ahead)?,
+            right: self.right_of_axis.map(|_| measured(&right)).transpose()?,
+            slant: measured(&slant)?,
+            horizon_row: self.horizon_row(),
+        })
     }
 
-    /// The row at which the floor ends, v = cy − fy·tan θ; `None` where the camera looks straight down or the numbers are
-    /// unusable.
+    /// The row at which the floor ends, v = cy − fy·tan θ; `None` without rows, or where the camera looks straight down or the
+    /// numbers are unusable.
     ///
     /// ```
     /// # use depth_core::angle::Angle;
-    /// # use depth_core::camera::GroundView;
+    /// # use depth_core::camera::{BelowAxis, GroundView};
     /// # use depth_core::measured::Measured;
     /// # use depth_core::quantity::{Length, Pixels};
     /// let view = GroundView {
-    ///     height: Measured::new(Length::from_m(1.5), Length::from_m(0.1)),
+    ///     height: Measured::exact(Length::from_m(1.5)),
+    ///     target_height: Length::from_m(0.0),
     ///     pitch: Measured::exact(Angle::from_degrees(0.0)),
-    ///     row: Measured::exact(Pixels::new(1050.0)),
-    ///     fy: Pixels::new(700.0),
-    ///     cy: Pixels::new(350.0),
+    ///     below_axis: BelowAxis::Row { row: Measured::exact(Pixels::new(1050.0)), cy: Pixels::new(350.0), fy: Measured::exact(Pixels::new(700.0)) },
+    ///     right_of_axis: None,
     /// };
     /// // The camera is level: the horizon goes through the principal point.
     /// assert_eq!(view.horizon_row(), Some(Pixels::new(350.0)));
     /// ```
     ///
-    /// Source: the row of [`distance`](Self::distance) whose ray is horizontal.
+    /// Source: the row of [`solve`](Self::solve) whose ray is horizontal.
     pub fn horizon_row(&self) -> Option<Pixels> {
-        self.below_axis().ok()?;
-        let row = self.cy.px() - self.fy.px() * self.pitch.value.radians().tan();
+        let BelowAxis::Row { cy, fy, .. } = self.below_axis else {
+            return None;
+        };
+        self.slope_down().ok()?;
+        let row = cy.px() - fy.value.px() * self.pitch.value.radians().tan();
         (self.pitch.value.radians().abs() < FRAC_PI_2 && row.is_finite()).then_some(Pixels::new(row))
     }
 
-    /// (v − cy)/fy, where every number can be used.
-    fn below_axis(&self) -> Result<f64, Unsolvable> {
-        judge::positive_measured(Term::CameraHeight, self.height)?;
-        judge::finite_measured(Term::Pitch, self.pitch)?;
-        let row = judge::finite_measured(Term::Row, self.row)?.value.px();
-        let fy = judge::value(Term::Input(Field::FocalLength), judge::positive(self.fy.px()))?;
-        let cy = judge::value(Term::PrincipalPoint, judge::finite(self.cy.px()))?;
-        judge::value(Term::Row, judge::finite((row - cy) / fy))
+    fn relative_sigma_of_focal_length(&self) -> f64 {
+        let of_rows = match self.below_axis {
+            BelowAxis::Row { fy, .. } => fy.relative(),
+            BelowAxis::Angle(_) => 0.0,
+        };
+        self.right_of_axis.map_or(of_rows, |right| right.fx.relative().max(of_rows))
     }
+
+    /// y with its σ without that of the focal length: (v − cy)/fy, or the tangent of the angle.
+    fn slope_down(&self) -> Result<Measured<f64>, Unsolvable> {
+        match self.below_axis {
+            BelowAxis::Row { row, cy, fy } => {
+                let row = judge::finite_measured(Term::Row, row)?;
+                let fy = judge::positive_measured(Term::Input(Field::FocalLength), fy)?.value.px();
+                let cy = judge::value(Term::PrincipalPoint, judge::finite(cy.px()))?;
+                let slope = judge::value(Term::Row, judge::finite((row.value.px() - cy) / fy))?;
+                Ok(Measured::new(slope, row.sigma.px() / fy))
+            }
+            BelowAxis::Angle(angle) => {
+                let angle = judge::finite_measured(Term::BelowAxis, angle)?;
+                if angle.value.radians().abs() >= FRAC_PI_2 {
+                    return Err(Unsolvable::Value {
+                        term: Term::BelowAxis,
+                        refusal: Refusal::TurnedAway,
+                    });
+                }
+                let slope = angle.value.radians().tan();
+                Ok(Measured::new(slope, angle.sigma.radians() * (1.0 + slope * slope)))
+            }
+        }
+    }
+
+    /// x, (u − cx)/fx; 0 without a column.
+    fn slope_right(&self) -> Result<f64, Unsolvable> {
+        let Some(RightOfAxis { column, cx, fx }) = self.right_of_axis else {
+            return Ok(0.0);
+        };
+        let column = judge::value(Term::Column, judge::finite(column.px()))?;
+        let cx = judge::value(Term::PrincipalPoint, judge::finite(cx.px()))?;
+        let fx = judge::positive_measured(Term::Input(Field::FocalLength), fx)?.value.px();
+        judge::value(Term::Column, judge::finite((column - cx) / fx))
+    }
+}
+
+/// √(ahead² + right²) with its derivatives. At the point below the camera, where it has none, the length of those of both.
+fn along_floor(ahead: &Partials, right: &Partials) -> Partials {
+    let value = root_sum_of_squares(&[ahead.value, right.value]);
+    let derivative = |of_ahead: f64, of_right: f64| {
+        if value == 0.0 {
+            root_sum_of_squares(&[of_ahead, of_right])
+        } else {
+            ahead.value / value * of_ahead + right.value / value * of_right
+        }
+    };
+    Partials {
+        value,
+        per_meter_of_height: derivative(ahead.per_meter_of_height, right.per_meter_of_height),
+        per_radian_of_pitch: derivative(ahead.per_radian_of_pitch, right.per_radian_of_pitch),
+        per_slope: derivative(ahead.per_slope, right.per_slope),
+        per_slope_right: derivative(ahead.per_slope_right, right.per_slope_right),
+    }
+}
+
+/// Sine and cosine, the latter 0 at 90°: the number nearest to a right angle is up to 1.1e-16 rad away from it.
+fn sin_cos(angle: Angle) -> (f64, f64) {
+    let (sin, cos) = angle.radians().sin_cos();
+    (sin, if cos.abs() < f64::EPSILON { 0.0 } else { cos })
 }

@@ -9,15 +9,13 @@ mod focal_length;
 mod ground;
 mod intrinsics;
 mod point;
-mod sensor;
 mod tilt;
 
 pub use focal_length::{
-    diagonal, focal_length_from_field_of_view, focal_length_from_pixel_pitch, focal_length_from_reference_photo,
-    focal_length_from_sensor_width, resized_focal_length,
+    diagonal, focal_length_from_field_of_view, focal_length_from_multiple, focal_length_from_pixel_pitch,
+    focal_length_from_reference_photo, focal_length_from_sensor_width, resized_focal_length,
 };
-pub use ground::{GroundSolution, GroundView};
+pub use ground::{BelowAxis, GroundSolution, GroundView, RightOfAxis};
 pub use intrinsics::{Intrinsics, OnSensor, field_of_view, pixel_size};
-pub use point::{PointSolution, PointView};
-pub use sensor::{SENSOR_FORMATS, SensorBasis, SensorFormat};
-pub use tilt::{TiltSolution, TiltedTarget, depth_of_tilted_target};
+pub use point::{Along, PointSolution, PointView};
+pub use tilt::foreshortened;

@@ -1,16 +1,28 @@
 //! The point in space that a pixel shows, and its range.
 
 use super::intrinsics::{offset_from_axis, range_of};
+use crate::arithmetic::root_sum_of_squares;
 use crate::field::Field;
 use crate::judge::{self, Term, Unsolvable};
+use crate::measured::Measured;
 use crate::quantity::{Length, Pixels};
 
-/// A pixel, and the depth of what is seen there.
+/// How far away the point is, and along what.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Along {
+    /// Along the optical axis: the depth Z, with its σ but for what the focal length has in it
+    /// ([`own_relative_sigma`](crate::uncertainty::Model::own_relative_sigma)).
+    Axis(Measured<Length>),
+    /// Along the ray of the pixel: the range R, as a tape measure or a laser shows it.
+    Ray(Measured<Length>),
+}
+
+/// A pixel, and how far away what is seen there is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointView {
     /// Focal length along the rows.
-    pub fx: Pixels,
-    /// Focal length along the columns; equals `fx` for square pixels.
+    pub fx: Measured<Pixels>,
+    /// Focal length along the columns; equals `fx` for square pixels. Their ratio is taken to be exact.
     pub fy: Pixels,
     /// Column of the principal point.
     pub cx: Pixels,
@@ -20,59 +32,99 @@ pub struct PointView {
     pub column: Pixels,
     /// Row at which the point is seen, v.
     pub row: Pixels,
-    /// Its depth along the optical axis.
-    pub depth: Length,
+    /// How far away it is.
+    pub along: Along,
 }
 
-/// Where a point is.
+/// Where a point is, with first-order σ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointSolution {
     /// How far it is to the right of the optical axis.
-    pub x: Length,
+    pub x: Measured<Length>,
     /// How far it is below the optical axis.
-    pub y: Length,
+    pub y: Measured<Length>,
     /// Its depth along the optical axis.
-    pub z: Length,
+    pub z: Measured<Length>,
     /// How far it is from the camera, as a tape measure or a laser shows it.
-    pub range: Length,
+    pub range: Measured<Length>,
 }
 
 impl PointView {
     /// The point and its range: X = (u − cx)·Z/fx, Y = (v − cy)·Z/fy, R = √(X² + Y² + Z²).
     ///
+    /// With r_f the relative σ of the focal length and r that of what is given without it: from a depth, which grows with f,
+    /// X and Y do not depend on f, so that σ_X/X = σ_Y/Y = r, σ_Z/Z = √(r² + r_f²) and σ_R/R = √(r² + (r_f·Z²/R²)²). From a
+    /// range σ_Z/Z = √(r² + (r_f·(1 − Z²/R²))²) and σ_X/X = σ_Y/Y = √(r² + (r_f·Z²/R²)²).
+    ///
     /// ```
-    /// use depth_core::camera::PointView;
+    /// use depth_core::camera::{Along, PointView};
+    /// use depth_core::measured::Measured;
     /// use depth_core::quantity::{Length, Pixels};
     ///
     /// let px = Pixels::new;
-    /// let view = PointView { fx: px(500.0), fy: px(1000.0), cx: px(100.0), cy: px(100.0), column: px(600.0), row: px(1100.0), depth: Length::from_m(2.0) };
-    /// let point = view.solve().unwrap();
-    /// // A ray of (2, 2, 2) m.
-    /// assert_eq!((point.x.m(), point.y.m(), point.z.m()), (2.0, 2.0, 2.0));
-    /// assert!((point.range.m() - 12.0_f64.sqrt()).abs() < 1e-12);
+    /// let at = |along| PointView { fx: Measured::from_base(500.0, 0.0), fy: px(1000.0), cx: px(100.0), cy: px(100.0), column: px(600.0), row: px(1100.0), along };
+    /// let point = at(Along::Axis(Measured::from_base(2.0, 0.1))).solve().unwrap();
+    /// // A ray of (2, 2, 2) m, all of it known to 5 %.
+    /// assert_eq!((point.x.value.m(), point.y.value.m(), point.z.value.m()), (2.0, 2.0, 2.0));
+    /// assert!((point.range.value.m() - 12.0_f64.sqrt()).abs() < 1e-12);
+    /// assert!((point.x.sigma.m() - 0.1).abs() < 1e-12);
+    ///
+    /// // And back.
+    /// let back = at(Along::Ray(point.range)).solve().unwrap();
+    /// assert!((back.z.value.m() - 2.0).abs() < 1e-12);
     /// ```
     ///
     /// # Errors
     /// [`Unsolvable`].
     ///
-    /// Source: inverse of the pinhole projection; Point Grey knowledge base article 10102.
+    /// Source: inverse of the pinhole projection; Point Grey knowledge base article 10102; JCGM 100:2008 (GUM), 5.1, for σ.
     pub fn solve(&self) -> Result<PointSolution, Unsolvable> {
         let focal_length = Term::Input(Field::FocalLength);
-        judge::value(focal_length, judge::positive(self.fx.px()))?;
+        judge::positive_measured(focal_length, self.fx)?;
         judge::value(focal_length, judge::positive(self.fy.px()))?;
         judge::value(Term::PrincipalPoint, judge::finite(self.cx.px()))?;
         judge::value(Term::PrincipalPoint, judge::finite(self.cy.px()))?;
         judge::value(Term::Column, judge::finite(self.column.px()))?;
         judge::value(Term::Row, judge::finite(self.row.px()))?;
-        judge::value(Term::Distance, judge::positive(self.depth.m()))?;
-        let x = offset_from_axis(self.column, self.cx, self.depth, self.fx).ok_or(Unsolvable::too_extreme(Term::Column))?;
-        let y = offset_from_axis(self.row, self.cy, self.depth, self.fy).ok_or(Unsolvable::too_extreme(Term::Row))?;
-        let range = range_of(x, y, self.depth).ok_or(Unsolvable::too_extreme(Term::Distance))?;
-        Ok(PointSolution {
-            x,
-            y,
-            z: self.depth,
-            range,
+        let given = match self.along {
+            Along::Axis(depth) => judge::positive_measured(Term::Distance, depth)?,
+            Along::Ray(range) => judge::positive_measured(Term::Distance, range)?,
+        };
+        let depth = match self.along {
+            Along::Axis(depth) => depth.value,
+            Along::Ray(range) => self.depth_at(range.value)?,
+        };
+        let x = offset_from_axis(self.column, self.cx, depth, self.fx.value).ok_or(Unsolvable::too_extreme(Term::Column))?;
+        let y = offset_from_axis(self.row, self.cy, depth, self.fy).ok_or(Unsolvable::too_extreme(Term::Row))?;
+        let range = range_of(x, y, depth).ok_or(Unsolvable::too_extreme(Term::Distance))?;
+        let (r, rf) = (given.relative(), self.fx.relative());
+        let slope = depth.m() / range.m();
+        let off_axis = 1.0 - slope * slope;
+        let with = |value: Length, of_focal_length: f64| {
+            let relative = root_sum_of_squares(&[r, rf * of_focal_length]);
+            Measured::new(value, Length::from_m(value.m().abs() * relative))
+        };
+        Ok(match self.along {
+            Along::Axis(_) => PointSolution {
+                x: with(x, 0.0),
+                y: with(y, 0.0),
+                z: with(depth, 1.0),
+                range: with(range, slope * slope),
+            },
+            Along::Ray(range) => PointSolution {
+                x: with(x, slope * slope),
+                y: with(y, slope * slope),
+                z: with(depth, off_axis),
+                range,
+            },
         })
+    }
+
+    /// Z = R/√(1 + ((u − cx)/fx)² + ((v − cy)/fy)²)
+    fn depth_at(&self, range: Length) -> Result<Length, Unsolvable> {
+        let right = (self.column.px() - self.cx.px()) / self.fx.value.px();
+        let down = (self.row.px() - self.cy.px()) / self.fy.px();
+        let depth = range.m() / root_sum_of_squares(&[1.0, right, down]);
+        judge::value(Term::Distance, judge::positive(depth)).map(Length::from_m)
     }
 }

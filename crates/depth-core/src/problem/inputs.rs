@@ -1,9 +1,12 @@
 //! [`Problem`]: what is known.
 
+use crate::angle::Angle;
+use crate::camera;
 use crate::field::Field;
 use crate::judge::{self, Refusal};
 use crate::measured::Measured;
 use crate::quantity::{Length, Pixels, Quantity};
+use std::f64::consts::FRAC_PI_2;
 
 /// What is known: the inputs with their σ (0 where none was given).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +25,8 @@ pub struct Problem {
     pub image_width: Option<Measured<Pixels>>,
     /// w_real: width of the object itself.
     pub real_width: Option<Measured<Length>>,
+    /// φ: by how much the object is turned away from facing the camera; `None` is 0. Taken to be exact.
+    pub tilt: Option<Angle>,
 }
 
 impl Default for Problem {
@@ -35,12 +40,13 @@ impl Default for Problem {
             coincidence_sigma: Pixels::ZERO,
             image_width: None,
             real_width: None,
+            tilt: None,
         }
     }
 }
 
 impl Problem {
-    /// The value of `field` in its base unit (px or meters).
+    /// The value of `field` in its base unit (px, meters or radians).
     ///
     /// ```
     /// # use depth_core::problem::{Field, Problem};
@@ -55,7 +61,7 @@ impl Problem {
         self.measured(field).map(|input| input.value)
     }
 
-    /// Sets `field` to `value` in its base unit (px or meters). Its σ stays; without a value there is none, but that of doffs.
+    /// Sets `field` to `value` in its base unit (px, meters or radians). Its σ stays; without a value there is none, but that of doffs.
     ///
     /// ```
     /// # use depth_core::problem::{Field, Problem};
@@ -78,10 +84,11 @@ impl Problem {
             }
             Field::ImageWidth => self.image_width = value.map(|value| Measured::from_base(value, sigma)),
             Field::RealWidth => self.real_width = value.map(|value| Measured::from_base(value, sigma)),
+            Field::Tilt => self.tilt = value.map(Angle::from_radians),
         }
     }
 
-    /// σ of `field` in its base unit (px or meters): 0 where none was given. That of doffs without a value belongs to an
+    /// σ of `field` in its base unit (px, meters or radians): 0 where none was given. That of doffs without a value belongs to an
     /// offset of 0.
     ///
     /// ```
@@ -100,7 +107,7 @@ impl Problem {
         }
     }
 
-    /// Sets σ of `field` in its base unit (px or meters), 0 for none. Without a value only doffs can have one.
+    /// Sets σ of `field` in its base unit (px, meters or radians), 0 for none. Without a value only doffs can have one; a tilt has none.
     ///
     /// ```
     /// # use depth_core::problem::{Field, Problem};
@@ -128,6 +135,7 @@ impl Problem {
             Field::Doffs => give(&mut self.doffs, sigma),
             Field::ImageWidth => give(&mut self.image_width, sigma),
             Field::RealWidth => give(&mut self.real_width, sigma),
+            Field::Tilt => {}
         }
     }
 
@@ -150,7 +158,7 @@ impl Problem {
         self
     }
 
-    /// The value of `field` with its σ, in its base unit (px or meters).
+    /// The value of `field` with its σ, in its base unit (px, meters or radians).
     ///
     /// ```
     /// # use depth_core::problem::{Field, Problem};
@@ -169,6 +177,7 @@ impl Problem {
             Field::Doffs => self.doffs.map(Measured::to_base),
             Field::ImageWidth => self.image_width.map(Measured::to_base),
             Field::RealWidth => self.real_width.map(Measured::to_base),
+            Field::Tilt => self.tilt.map(|tilt| Measured::exact(tilt).to_base()),
         }
     }
 
@@ -203,8 +212,43 @@ impl Problem {
         Some(Pixels::new(self.disparity?.value.px() + self.offset().value.px()))
     }
 
+    /// w_real·cos φ: the width that the object shows to the camera.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut door = Problem::default();
+    /// door.set(Field::RealWidth, Some(0.9));
+    /// door.set(Field::Tilt, Some(60_f64.to_radians()));
+    /// assert!((door.foreshortened_width().unwrap().value.m() - 0.45).abs() < 1e-12);
+    /// ```
+    pub fn foreshortened_width(&self) -> Option<Measured<Length>> {
+        let width = self.real_width?;
+        let tilt = self.tilt.unwrap_or(Angle::ZERO);
+        Some(Measured::new(
+            camera::foreshortened(width.value, tilt)?,
+            camera::foreshortened(width.sigma, tilt)?,
+        ))
+    }
+
+    /// The width of which `width` is what shows to the camera, w/cos φ: the inverse of
+    /// [`foreshortened_width`](Self::foreshortened_width).
+    ///
+    /// ```
+    /// # use depth_core::measured::Measured;
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut door = Problem::default();
+    /// door.set(Field::Tilt, Some(60_f64.to_radians()));
+    /// assert!((door.turned_away(Measured::from_base(0.45, 0.0)).value.m() - 0.9).abs() < 1e-12);
+    /// ```
+    #[must_use]
+    pub fn turned_away(&self, width: Measured<Length>) -> Measured<Length> {
+        let of_one_meter = camera::foreshortened(Length::from_m(1.0), self.tilt.unwrap_or(Angle::ZERO));
+        let cosine = of_one_meter.map_or(1.0, Length::m);
+        Measured::from_base(width.value.m() / cosine, width.sigma.m() / cosine)
+    }
+
     /// Checks that the value of `field`, if it has one, can be used: positive, finite and normal. A disparity is judged
-    /// together with doffs, which itself may be any finite number.
+    /// together with doffs, which itself may be any finite number; a tilt is below 90° in either direction.
     ///
     /// ```
     /// # use depth_core::problem::{Field, Problem};
@@ -227,6 +271,10 @@ impl Problem {
         match (field, value) {
             (_, None) => Ok(()),
             (Field::Doffs, Some(value)) => judge::finite(value).map(|_| ()),
+            (Field::Tilt, Some(value)) => judge::finite(value).and_then(|tilt| {
+                let shows_a_width = tilt.abs() < FRAC_PI_2;
+                shows_a_width.then_some(()).ok_or(Refusal::TurnedAway)
+            }),
             (_, Some(value)) => judge::positive(value).map(|_| ()),
         }
     }

@@ -5,9 +5,10 @@ mod inputs;
 mod solution;
 mod solve;
 
+pub use crate::agreement::Comparison;
 pub use crate::field::{Field, better_unit};
 pub use crate::judge::Refusal;
 pub use crate::method::Method;
 pub use crate::uncertainty::Uncertainty;
 pub use inputs::Problem;
-pub use solution::{Comparison, Outcome, Solution};
+pub use solution::{BestDistance, Origin, Outcome, Solution};

@@ -1,7 +1,7 @@
 //! [`Solution`]: everything that follows from a [`Problem`].
 
 use super::inputs::Problem;
-use crate::agreement::{self, Agreement, Suspect};
+use crate::agreement::{self, Comparison, Suspect};
 use crate::field::Field;
 use crate::judge::Refusal;
 use crate::measured::Measured;
@@ -44,13 +44,22 @@ impl Outcome {
     }
 }
 
-/// What two distances with σ say together.
+/// Where a distance is from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// One of the two methods.
+    Method(Method),
+    /// Both, combined.
+    Combined,
+}
+
+/// The distance to use, with its σ but for what the focal length has in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Comparison {
-    /// Both combined; `None` where only the shared focal length has a σ, so that nothing weighs them.
-    pub combined: Option<Measured<Length>>,
-    /// Whether they agree; if not, [`Solution::suspects`] says what to look at.
-    pub agreement: Agreement,
+pub struct BestDistance {
+    /// Where it is from.
+    pub origin: Origin,
+    /// The distance with its own σ: [`Model::own_relative_sigma`].
+    pub distance: Measured<Length>,
 }
 
 /// Everything computed from a [`Problem`]; made once when the inputs change.
@@ -60,18 +69,21 @@ pub struct Solution {
     pub problem: Problem,
     /// D = fx·b/d.
     pub stereo: Outcome,
-    /// D = w_real·fx/w_img.
+    /// D = w_real·cos φ·fx/w_img.
     pub monocular: Outcome,
-    /// w_real·fx/D, with the stereo distance whenever there is one.
+    /// w_real·cos φ·fx/D, with the stereo distance whenever there is one.
     pub estimated_width_px: Option<Pixels>,
-    /// w_img·D/fx, with the stereo distance whenever there is one.
+    /// w_img·D/(fx·cos φ), with the stereo distance whenever there is one.
     pub estimated_width: Option<Length>,
     /// How sure one can be of the stereo distance; `None` where no input has a σ.
     pub stereo_uncertainty: Option<Uncertainty>,
     /// How sure one can be of the monocular distance; `None` where no input has a σ.
     pub monocular_uncertainty: Option<Uncertainty>,
-    /// What both say together; `None` unless both are known with σ.
+    /// One distance against the other; `None` unless both are known. Where they do not agree, [`Solution::suspects`] says what
+    /// to look at.
     pub comparison: Option<Comparison>,
+    /// Both distances [combined](agreement::combine).
+    pub combined: Option<Measured<Length>>,
     /// An input whose σ is out of all proportion to its value, so that nothing can be said.
     pub unusable_sigma: Option<Field>,
 }
@@ -138,10 +150,47 @@ impl Solution {
     /// assert_eq!(mug.solve().suspects().first(), Some(&Suspect::RawDisparity { scale: 16.0 }));
     /// ```
     pub fn suspects(&self) -> Vec<Suspect> {
-        match (&self.stereo_uncertainty, &self.monocular_uncertainty) {
-            (Some(stereo), Some(monocular)) => agreement::suspects(&stereo.model, &monocular.model),
+        if self.comparison.is_none() {
+            return Vec::new();
+        }
+        let model = |method| self.problem.model(method)?.ok();
+        match (model(Method::Stereo), model(Method::Monocular)) {
+            (Some(stereo), Some(monocular)) => agreement::suspects(&stereo, &monocular),
             _ => Vec::new(),
         }
+    }
+
+    /// The distance to use: both combined where they can be, else the stereo distance, else the monocular one.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// use depth_core::problem::{Method, Origin};
+    ///
+    /// let best = mug.solve().best().unwrap();
+    /// assert_eq!((best.origin, best.distance.value.m()), (Origin::Method(Method::Stereo), 1.4));
+    /// ```
+    pub fn best(&self) -> Option<BestDistance> {
+        if let Some(combined) = self.combined {
+            let relative = combined.relative();
+            let shared = self.problem.focal_length.map_or(0.0, Measured::relative);
+            let own = ((relative - shared).max(0.0) * (relative + shared)).sqrt();
+            return Some(BestDistance {
+                origin: Origin::Combined,
+                distance: Measured::from_base(combined.value.m(), combined.value.m() * own),
+            });
+        }
+        Method::ALL.into_iter().find_map(|method| {
+            let distance = self.outcome(method).distance()?.m();
+            let own = self.uncertainty(method).map_or(0.0, |known| known.model.own_relative_sigma());
+            Some(BestDistance {
+                origin: Origin::Method(method),
+                distance: Measured::from_base(distance, distance * own),
+            })
+        })
     }
 
     /// The stereo distances with the disparity one pixel larger (nearer) and one smaller; the second is `None` where the

@@ -1,7 +1,8 @@
 //! [`Problem`] to [`Solution`], the one step.
 
 use super::inputs::Problem;
-use super::solution::{Comparison, Outcome, Solution};
+use super::solution::{Outcome, Solution};
+use crate::agreement::{self, Comparison};
 use crate::field::Field;
 use crate::judge::{Refusal, Unsolvable};
 use crate::measured::Measured;
@@ -9,7 +10,7 @@ use crate::method::Method;
 use crate::model::Model;
 use crate::quantity::{Length, Pixels};
 use crate::uncertainty::Uncertainty;
-use crate::{agreement, monocular, stereo};
+use crate::{monocular, stereo};
 
 impl Problem {
     /// Everything that follows from what is known.
@@ -30,26 +31,25 @@ impl Problem {
         let monocular = self.solve_method(Method::Monocular);
         // With the monocular distance the two widths would only repeat the input.
         let reference = stereo.distance().or(monocular.distance());
-        let real_width = self.real_width.filter(|_| self.check(Field::RealWidth).is_ok());
-        let image_width = self.image_width.filter(|_| self.check(Field::ImageWidth).is_ok());
+        let usable = |field| self.check(field).is_ok();
+        let real_width = self.real_width.filter(|_| usable(Field::RealWidth) && usable(Field::Tilt));
+        let real_width = real_width.and_then(|_| self.foreshortened_width());
+        let image_width = self.image_width.filter(|_| usable(Field::ImageWidth) && usable(Field::Tilt));
         let estimated_width_px = match (self.focal_length, real_width, reference) {
             (Some(f), Some(w), Some(z)) => finite_px(monocular::width_in_image(f.value, w.value, z)),
             _ => None,
         };
         let estimated_width = match (self.focal_length, image_width, reference) {
-            (Some(f), Some(w), Some(z)) => finite_length(monocular::real_width(f.value, w.value, z)),
+            (Some(f), Some(w), Some(z)) => {
+                finite_length(self.turned_away(Measured::exact(monocular::real_width(f.value, w.value, z))).value)
+            }
             _ => None,
         };
         let uncertainty = |method, outcome: Outcome| outcome.distance().and_then(|_| self.uncertainty(method));
         let (stereo_uncertainty, unusable) = split(uncertainty(Method::Stereo, stereo));
         let (monocular_uncertainty, also_unusable) = split(uncertainty(Method::Monocular, monocular));
-        let comparison = match (&stereo_uncertainty, &monocular_uncertainty) {
-            (Some(stereo), Some(monocular)) => Some(Comparison {
-                combined: agreement::combine(&stereo.model, &monocular.model),
-                agreement: agreement::compare(&stereo.model, &monocular.model),
-            }),
-            _ => None,
-        };
+        let model = |method, outcome: Outcome| outcome.distance().and_then(|_| self.model(method)?.ok());
+        let models = model(Method::Stereo, stereo).zip(model(Method::Monocular, monocular));
         Solution {
             problem: *self,
             stereo,
@@ -58,7 +58,8 @@ impl Problem {
             estimated_width,
             stereo_uncertainty,
             monocular_uncertainty,
-            comparison,
+            comparison: models.map(|(stereo, monocular)| Comparison::of(&stereo, &monocular)),
+            combined: models.and_then(|(stereo, monocular)| agreement::combine(&stereo, &monocular)),
             unusable_sigma: unusable.or(also_unusable),
         }
     }
@@ -77,23 +78,38 @@ impl Problem {
     /// assert_eq!(mug.stereo_distance_if(-50.0), None);
     /// ```
     pub fn stereo_distance_if(&self, shift: f64) -> Option<Length> {
-        let disparity = self.effective_disparity()?.px() + shift;
-        if disparity <= 0.0 {
+        self.depth_at(Pixels::new(self.effective_disparity()?.px() + shift))
+    }
+
+    /// The depth f·b/d that this pair of cameras gives at another [effective disparity](Self::effective_disparity), d + δ, in pixels;
+    /// `None` unless that is positive, focal length and baseline are known, and the depth is a finite, normal number.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// use depth_core::quantity::Pixels;
+    ///
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// // 700 px · 0.1 m / 1 px.
+    /// assert_eq!(mug.depth_at(Pixels::new(1.0)).unwrap().m(), 70.0);
+    /// assert_eq!(mug.depth_at(Pixels::new(0.0)), None);
+    /// ```
+    ///
+    /// Source: [`stereo::depth`].
+    pub fn depth_at(&self, disparity: Pixels) -> Option<Length> {
+        if disparity.px() <= 0.0 {
             return None;
         }
-        finite_length(stereo::depth(
-            self.focal_length?.value,
-            self.baseline?.value,
-            Pixels::new(disparity),
-        ))
+        finite_length(stereo::depth(self.focal_length?.value, self.baseline?.value, disparity))
     }
 
     /// The inputs of `method` with their σ, as one model.
-    fn model(&self, method: Method) -> Option<Result<Model, Unsolvable>> {
+    pub(super) fn model(&self, method: Method) -> Option<Result<Model, Unsolvable>> {
         let focal_length = self.focal_length?;
         Some(match method {
             Method::Stereo => Model::stereo(focal_length, self.baseline?, self.disparity?, self.offset()),
-            Method::Monocular => Model::monocular(focal_length, self.real_width?, self.image_width?),
+            Method::Monocular => Model::monocular(focal_length, self.foreshortened_width()?, self.image_width?),
         })
     }
 
@@ -103,7 +119,7 @@ impl Problem {
         match self.model(method)? {
             Ok(model) if model.relative_sigma() == 0.0 => None,
             Ok(model) => Some(Ok(Uncertainty::new(model))),
-            Err(unsolvable) => Some(Err(unsolvable.field().unwrap_or_else(|| self.least_certain(method)))),
+            Err(_) => Some(Err(self.least_certain(method))),
         }
     }
 
@@ -113,11 +129,12 @@ impl Problem {
         let [first, others @ ..] = method.fields();
         others
             .into_iter()
+            .chain([method.optional_field()])
             .fold(first, |worst, field| if relative(field) > relative(worst) { field } else { worst })
     }
 
     fn solve_method(&self, method: Method) -> Outcome {
-        for field in method.fields() {
+        for field in method.fields().into_iter().chain([method.optional_field()]) {
             if let Err(refusal) = self.check(field) {
                 return Outcome::Refused { field, refusal };
             }
@@ -127,7 +144,7 @@ impl Problem {
                 (Some(f), Some(b), Some(d)) => stereo::depth(f.value, b.value, d),
                 _ => return Outcome::Incomplete,
             },
-            Method::Monocular => match (self.focal_length, self.real_width, self.image_width) {
+            Method::Monocular => match (self.focal_length, self.foreshortened_width(), self.image_width) {
                 (Some(f), Some(w), Some(p)) => monocular::depth(f.value, w.value, p.value),
                 _ => return Outcome::Incomplete,
             },

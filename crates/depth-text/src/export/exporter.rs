@@ -17,6 +17,12 @@ pub struct Results<'a> {
 
 /// A format in which results leave the program.
 pub trait Exporter {
+    /// Why results cannot be given out in this format; [`Infallible`](std::convert::Infallible) where they always can.
+    type Error;
+
     /// The whole text, line ends included.
-    fn export(&self, results: &Results<'_>) -> String;
+    ///
+    /// # Errors
+    /// See [`Error`](Self::Error).
+    fn export(&self, results: &Results<'_>) -> Result<String, Self::Error>;
 }

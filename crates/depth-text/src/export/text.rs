@@ -3,114 +3,160 @@
 use super::exporter::{Exporter, Results};
 use crate::assess::Assessment;
 use crate::field::Key;
+use crate::fields::DISTANCE;
 use crate::form::Inputs;
+use crate::geometry::Geometry;
+use crate::names::Named as _;
+use crate::note::{Note, Part, Severity};
 use crate::number::{exact, significant};
 use crate::reading;
 use crate::report::{
-    DIGITS, ESTIMATED_WIDTH_M, ESTIMATED_WIDTH_PX, FIRST_ORDER_IS_POOR, budget, formula, interval, length, one_pixel_around, with_sigma,
+    self, COMBINED, DIGITS, ESTIMATED_WIDTH_PX, ONE_PIXEL, agreement, certainty, estimated_width_name, formula, formula_with_numbers,
+    length, needs, one_pixel_range, point_origin, unknown, with_sigma,
 };
-use crate::sentences::{Statement, quoted};
+use crate::sentences::{Statement, capital, quoted};
+use crate::style::Style;
 use crate::unit::Unit;
 use depth_core::problem::{Method, Solution};
 use depth_core::quantity::LengthUnit;
+use std::convert::Infallible;
+
+const STYLE: Style = Style::WINDOW;
 
 /// Lines of plain text: inputs as typed, results rounded in the unit chosen and with every digit.
 #[derive(Clone, Copy, Debug)]
 pub struct Text;
 
 impl Exporter for Text {
-    fn export(&self, &Results { inputs, assessment, unit }: &Results<'_>) -> String {
+    type Error = Infallible;
+
+    fn export(&self, &Results { inputs, assessment, unit }: &Results<'_>) -> Result<String, Infallible> {
         let solution = &assessment.solution;
         let mut lines = vec!["Depth Calculator".to_owned(), String::new(), "Inputs".to_owned()];
         for key in Key::form().filter(|key| !key.is_optional || !inputs.entry(*key).is_blank()) {
             lines.push(format!("  {}: {}", key.name, input(inputs, assessment, key)));
         }
+        if assessment.unknown.is_some() {
+            lines.push(format!("  {}: {}", DISTANCE.name, input(inputs, assessment, DISTANCE)));
+        }
         lines.extend([String::new(), "Results".to_owned()]);
-        let methods = Method::ALL.into_iter().flat_map(|method| of_method(solution, method, unit));
-        let results = methods.chain(comparison(assessment, unit)).chain(widths(solution));
+        let methods = Method::ALL
+            .into_iter()
+            .flat_map(|method| of_method(inputs, assessment, method, unit));
+        let results = solved_for(inputs, assessment)
+            .into_iter()
+            .chain(methods)
+            .chain(comparison(assessment, unit))
+            .chain(widths(solution, unit))
+            .chain(geometry(&assessment.geometry, unit));
         lines.extend(results.map(|line| format!("  {line}")));
         for note in &assessment.notes {
             lines.push(format!("  Note on {}: {}", note.key.name, note.issue));
         }
         lines.push(String::new());
-        lines.join("\n")
+        Ok(lines.join("\n"))
     }
 }
 
 /// One input as typed, with its σ.
 fn input(inputs: &Inputs, assessment: &Assessment, key: Key) -> String {
     let entry = inputs.entry(key);
-    let is_used = key.input.is_none_or(|field| assessment.solution.problem.get(field).is_some());
+    let error = |part| {
+        let mut notes = assessment.notes.iter().filter(|note| note.severity == Severity::Error);
+        notes.any(|note| (note.key, note.part) == (key, part))
+    };
+    if assessment.is_solved_for(key) {
+        return "solved for".to_owned();
+    }
     let mut value = match assessment.reading(key) {
-        Some(reading) if is_used => reading.text(),
-        None if is_used && key.input.is_some() => {
-            // It was solved for; what is in the field did not count.
-            format!("{} {}", entry.text.trim(), entry.chosen_unit(key).map_or("", Unit::symbol))
-        }
+        Some(reading) if !error(Part::Value) => reading.text(),
         _ if entry.is_blank() => "not given".to_owned(),
+        // The distance is read apart from the form; what is wrong with it stands in place of the result.
+        _ if key == DISTANCE => format!("{} {}", entry.text.trim(), entry.chosen_unit(key).map_or("", Unit::symbol)),
         _ => format!("{} (not usable)", quoted(&entry.text)),
     };
     let sigma = reading::sigma_text(entry);
-    if inputs.with_uncertainty && !sigma.is_empty() {
+    if inputs.counts_sigma(key) && !sigma.is_empty() {
         value.push_str(&format!(" ± {sigma}"));
+        if error(Part::Sigma) {
+            value.push_str(" (not usable)");
+        }
     }
     value
 }
 
-/// The distance of `method`, rounded and with every digit, and how sure it is.
-fn of_method(solution: &Solution, method: Method, unit: LengthUnit) -> Vec<String> {
-    let distance = solution.outcome(method).distance();
-    let known = solution.uncertainty(method);
-    let value = match (distance, known) {
-        (Some(distance), Some(known)) => with_sigma(distance, known.sigma, unit).text(unit),
-        _ => length(distance, unit),
+/// What was solved for.
+fn solved_for(inputs: &Inputs, assessment: &Assessment) -> Option<String> {
+    let solved = assessment.unknown.as_ref()?;
+    let key = Key::from(solved.field);
+    let value = unknown(STYLE, solved, assessment.length_unit(key, inputs));
+    Some(format!(
+        "{} of the {} distance: {value}",
+        key.name,
+        solved.method.name().to_lowercase()
+    ))
+}
+
+/// The distance of `method`, rounded and with every digit, and how sure it is; or why there is none, if it was asked for.
+fn of_method(inputs: &Inputs, assessment: &Assessment, method: Method, unit: LengthUnit) -> Vec<String> {
+    let solution = &assessment.solution;
+    let name = format!("{} distance, {}", method.name(), formula(solution, method));
+    let Some(distance) = solution.outcome(method).distance() else {
+        let why = assessment.refusal(method).map(Note::message).or_else(|| needs(inputs, method));
+        let asked_for = inputs.is_begun(method);
+        return why.filter(|_| asked_for).map(|why| format!("{name}: {why}")).into_iter().collect();
     };
-    let mut line = format!("{} distance, {}: {value}", method.name(), formula(solution, method));
-    if let Some(distance) = distance {
-        line.push_str(&format!(" (unrounded {} {})", exact(distance.in_unit(unit)), unit.symbol()));
+    let value = STYLE.distance(solution, method, unit);
+    let line = format!("{name}: {value} (unrounded {} {})", exact(distance.in_unit(unit)), unit.symbol());
+    let numbers = formula_with_numbers(assessment, method, unit).map(|numbers| format!("  {numbers}"));
+    let one_pixel = one_pixel_range(solution, unit).filter(|_| method == Method::Stereo);
+    let one_pixel = one_pixel.map(|range| format!("  with {ONE_PIXEL}: {range}"));
+    let uncertainty = solution.uncertainty(method);
+    let certainty = uncertainty.into_iter().flat_map(|uncertainty| certainty(STYLE, uncertainty, unit));
+    let indented = certainty.map(|line| format!("  {line}"));
+    std::iter::once(line).chain(numbers).chain(one_pixel).chain(indented).collect()
+}
+
+/// The point in space and the point on the floor.
+fn geometry(geometry: &Geometry, unit: LengthUnit) -> Vec<String> {
+    let mut lines = Vec::new();
+    let indented = |(name, value): (&'static str, String)| format!("  {name}: {value}");
+    if let Some((origin, point)) = &geometry.point {
+        lines.push(format!("Point in space, {}", point_origin(*origin)));
+        lines.extend(report::point(STYLE, point, unit).map(indented));
     }
-    let mut lines = vec![line];
-    if method == Method::Stereo
-        && let Some(range) = one_pixel_around(solution, unit)
-    {
-        lines.push(format!("  with one pixel of disparity more or less: {range}"));
-    }
-    if let Some(known) = known {
-        lines.push(format!("  1 σ interval: {}", interval(known, unit)));
-        lines.push(format!("  variance: {}", budget(known)));
-        if !known.model.first_order_is_good() {
-            lines.push(format!("  {FIRST_ORDER_IS_POOR}"));
-        }
+    if let Some(ground) = &geometry.ground {
+        lines.push("Ground plane".to_owned());
+        lines.extend(report::ground(STYLE, ground, unit).into_iter().map(indented));
     }
     lines
 }
 
 /// What both distances say together.
 fn comparison(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
-    let Some(comparison) = &assessment.solution.comparison else {
-        return Vec::new();
-    };
-    let mut lines = Vec::new();
-    if let Some(combined) = comparison.combined {
+    let combined = assessment.solution.combined;
+    let combined = combined.map(|combined| {
         let value = with_sigma(combined.value, combined.sigma, unit).text(unit);
-        lines.push(format!("Combined distance, the shared focal length accounted for: {value}"));
-    }
-    lines.push(format!("  {}", Statement::agreement(&comparison.agreement)));
-    let suspects = assessment.suspects();
-    lines.extend(suspects.iter().map(|suspect| format!("  {}", Statement::suspect(suspect))));
-    lines
+        format!("{}: {value}", capital(COMBINED))
+    });
+    let agreement = agreement(assessment).into_iter().map(|line| format!("  {line}"));
+    combined.into_iter().chain(agreement).collect()
 }
 
 /// The widths that the distance predicts.
-fn widths(solution: &Solution) -> Vec<String> {
+fn widths(solution: &Solution, unit: LengthUnit) -> Vec<String> {
     let mut lines = Vec::new();
     if let Some(width) = solution.estimated_width_px {
         let (rounded, exact) = (significant(width.px(), DIGITS), exact(width.px()));
         lines.push(format!("{ESTIMATED_WIDTH_PX}: {rounded} px (unrounded {exact} px)"));
     }
     if let Some(width) = solution.estimated_width {
-        let (rounded, exact) = (length(Some(width), LengthUnit::Meter), exact(width.m()));
-        lines.push(format!("{ESTIMATED_WIDTH_M}: {rounded} (unrounded {exact} m)"));
+        let (rounded, exact) = (length(Some(width), unit), exact(width.in_unit(unit)));
+        lines.push(format!(
+            "{}: {rounded} (unrounded {exact} {})",
+            estimated_width_name(unit),
+            unit.symbol()
+        ));
     }
     if !lines.is_empty() {
         lines.push(format!("  {}", Statement::widths(solution)));
@@ -126,7 +172,7 @@ mod tests {
     #[test]
     fn the_mug_reads_as_in_the_specification() {
         let inputs = Example::CoffeeMug.inputs();
-        let report = Text.export(&Results {
+        let Ok(report) = Text.export(&Results {
             inputs: &inputs,
             assessment: &inputs.assess(),
             unit: LengthUnit::Meter,
@@ -135,9 +181,9 @@ mod tests {
             "  Camera baseline (b): 10 cm",
             "  Stereo distance, D = fx · b / d: 1.400 m (unrounded 1.4 m)",
             "    with one pixel of disparity more or less: 1.373 … 1.429 m",
-            "  Monocular distance, D = w_real · fx / w_img: –.– m",
         ] {
             assert!(report.lines().any(|candidate| candidate == line), "{line:?} is not in\n{report}");
         }
+        assert!(!report.contains("Monocular"), "nobody asked for it:\n{report}");
     }
 }

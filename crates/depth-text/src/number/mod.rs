@@ -4,4 +4,4 @@ mod read;
 mod write;
 
 pub use read::{NumberError, Typed, read};
-pub use write::{NO_NUMBER, exact, magnitude, plain, significant, to_decimals};
+pub use write::{NO_NUMBER, Notation, TYPED_DIGITS, exact, magnitude, plain, rounded_to, significant};

@@ -17,6 +17,24 @@ variants! {
         NotWritten { reason: String },
         /// doffs was given, but no stereo distance was asked for.
         UnusedDoffs,
+        /// A tilt was given, but no monocular distance was asked for.
+        UnusedTilt,
+        /// An option of the point in space was given, without these that it needs.
+        UnusedPoint { options: Vec<String> },
+        /// A distance was given, and nothing else is solved for.
+        UnusedDistance,
+        /// A value was given for what is solved for.
+        UnusedUnknown,
+        /// What belongs to a row was given beside an angle instead of it.
+        UnusedWithAngle,
+        /// Something else than the distance is solved for, and no distance was given.
+        NoKnownDistance,
+        /// The focal length is solved for, and both equations have it.
+        WhichEquation,
+        /// The floor cannot be met without these options.
+        NoGround { options: Vec<String> },
+        /// A file cannot be read.
+        UnreadableFile { file: String, reason: String },
         /// A σ was given without its value.
         UnusedSigma { option: String },
     }
@@ -38,6 +56,18 @@ impl Display for CommandLine {
             ),
             Self::NotWritten { reason } => write!(f, "The answer could not be written: {reason}."),
             Self::UnusedDoffs => f.write_str("Not used: it belongs to the stereo distance, which needs --baseline and --disparity."),
+            Self::UnusedTilt => f.write_str("Not used: it belongs to the monocular distance, which needs --w-img and --w-real."),
+            Self::UnusedPoint { options } if options.is_empty() => f.write_str("Not used: there is no distance to put the point at."),
+            Self::UnusedPoint { options } => write!(f, "Not used without {}.", enumerated(options)),
+            Self::UnusedDistance => f.write_str("Not used without --solve-for, which says what to solve for instead."),
+            Self::UnusedUnknown => f.write_str("Not used: it is what --solve-for solves for."),
+            Self::UnusedWithAngle => f.write_str("Not used with --angle, which takes the place of a row."),
+            Self::NoKnownDistance => f.write_str("With --solve-for the distance is an input: give it with --distance."),
+            Self::WhichEquation => {
+                f.write_str("Both methods have an fx: to solve for it leave out either --baseline and --disparity or --w-img and --w-real.")
+            }
+            Self::NoGround { options } => write!(f, "No distance can be computed. Add {} (see --help).", enumerated(options)),
+            Self::UnreadableFile { file, reason } => write!(f, "{file} cannot be read: {reason}."),
             Self::UnusedSigma { option } => write!(f, "Not used without --{option}."),
         }
     }

@@ -3,13 +3,17 @@
 use super::words::{capital, quoted};
 use crate::field::{Key, Kind};
 use crate::fields;
+use crate::names::Named as _;
 use crate::note::Issue;
-use crate::number::plain;
+use crate::number::{plain, significant};
 use crate::unit::Unit;
+use depth_core::angle::Angle;
 use depth_core::disparity::NoDisparity;
 use depth_core::q_matrix::Expected;
 use depth_core::quantity::LengthUnit;
 use std::fmt::{self, Display, Formatter};
+
+const NO_MATCH: &str = "is how OpenCV’s matchers mark a pixel without a match: (minDisparity − 1) · 16, or that divided by 16.";
 
 const DISTANCE_EXAMPLE: &str = "Type a distance above zero, such as 1.4 m.";
 
@@ -64,6 +68,33 @@ fn value(issue: &Issue, f: &mut Formatter<'_>) -> Option<fmt::Result> {
         ),
         Issue::DisparityWithDoffs => f.write_str(
             "Disparity and doffs together must be above zero: at zero the object is infinitely far away, below zero left and right may be swapped. Check the sign of doffs.",
+        ),
+        Issue::NoMatch { text } => write!(f, "{} {NO_MATCH} There is no distance here.", quoted(text)),
+        Issue::NoMatchUsed { text } => write!(f, "{} {NO_MATCH} Used all the same, as doffs makes it possible.", quoted(text)),
+        Issue::NegativeBaseline => f.write_str(
+            "A baseline is a distance and has no sign. OpenCV’s T[0], ROS and DepthAI write it negative because the second camera stands to the right. Type it without the minus.",
+        ),
+        Issue::SizeOfSquares { text } => write!(
+            f,
+            "How large is a square of the board? Type it behind {}, such as 1.695 squares of 25 mm.",
+            quoted(text)
+        ),
+        Issue::MultipleOfWidth { number, of_width, of_half } => {
+            let view = |angle: &Angle| significant(angle.degrees(), 3);
+            write!(
+                f,
+                "{number} px is hardly a focal length. Is it a multiple of the width of the image (a view of {}°), or of half of it as OpenGL and Unity have it (a view of {}°)? Multiply it by that.",
+                view(of_width),
+                view(of_half)
+            )
+        }
+        Issue::DegreesOrRadians { number } => write!(f, "Is {number} in radians? A field of view of {number}° is a telescope’s."),
+        Issue::UnusualUnitOrSquares { number, unit, better } => write!(
+            f,
+            "{number} {} is unusual for the baseline: {}. Did you mean {number} {}, or {number} squares of the calibration board?",
+            unit.symbol(),
+            usual(fields::BASELINE),
+            better.symbol()
         ),
         Issue::Unusual { key } => write!(f, "Unusual for {}: {}. Is it right?", key.noun, usual(*key)),
         Issue::UnusualUnit { key, number, unit, better } => write!(
@@ -156,8 +187,16 @@ fn other_ways(issue: &Issue, f: &mut Formatter<'_>) -> Option<fmt::Result> {
 const fn fixed(issue: &Issue) -> Option<&'static str> {
     Some(match issue {
         Issue::TiltTooLarge => "A target tilted by 90° or more shows no width. Type an angle below 90°.",
-        Issue::AboveHorizon => "This row is at the horizon or above it: its ray never meets the floor. Use a lower row.",
-        Issue::BelowCamera => "This ray goes straight down or backwards. Check pitch and row.",
+        Issue::MissesPlane => {
+            "This ray is at the horizon or on the other side of it: it never meets the plane of the target. Check row, pitch and heights."
+        }
+        Issue::PitchCountsDownwards => "Pitch is counted downwards here: with this sign the ray never meets the plane of the target.",
+        Issue::TargetAtCameraHeight => {
+            "The target is as high as the lens: its plane is seen from the edge, and every distance looks the same."
+        }
+        Issue::AngleTooLarge => "A point 90° or more off the optical axis is not in the picture. Type an angle below 90°.",
+        Issue::RowAndAngle => "Give the row of the point or its angle below the axis, not both.",
+        Issue::NoQMatrix => "There is no Q in it. Q is the 4 × 4 matrix that stereoRectify makes; paste it, or the file that has it.",
         Issue::UnusableGround => "Height and focal length must be above zero, and no uncertainty below it.",
         Issue::GroundTooExtreme => "With these numbers there is no distance that a computer can represent.",
         Issue::NoFocalLength => "These numbers give no focal length: all must be above zero, and a field of view below 180°.",
@@ -172,6 +211,9 @@ const fn fixed(issue: &Issue) -> Option<&'static str> {
         Issue::NotADisparity {
             reason: NoDisparity::OutOfRange,
         } => "This encoding cannot hold such a value.",
+        Issue::QMatrixRounded => {
+            "MATLAB printed this matrix with a common factor, which rounded one over the baseline to zero. Print it with format long g."
+        }
         Issue::QMatrixSwapped => {
             "The sign of this Q means that left and right are swapped, or that T has the wrong sign: depths come out negative."
         }

@@ -2,6 +2,7 @@
 
 use super::words::capital;
 use crate::field::Key;
+use crate::names::Named as _;
 use crate::number::{plain, significant};
 use crate::variants::variants;
 use depth_core::agreement::{Agreement, Suspect, Verdict};
@@ -14,13 +15,15 @@ variants! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub enum Statement {
         /// The stated uncertainties explain the difference of so many σ.
-        Agree { z: Option<f64> },
+        Agree { z: f64 },
         /// The difference is large.
-        HardlyAgree { z: Option<f64> },
+        HardlyAgree { z: f64 },
         /// The difference is too large.
-        Disagree { z: Option<f64> },
-        /// Nothing but the shared focal length has a σ.
+        Disagree { z: f64 },
+        /// Nothing says how well they agree: not each has a σ of its own.
         CannotJudge { stereo_over_monocular: Option<f64> },
+        /// So too, and one is so much larger that not both can be right.
+        Contradict { stereo_over_monocular: Option<f64> },
 
         /// The disparity may be a stored fixed-point number.
         RawDisparity { scale: f64 },
@@ -50,16 +53,19 @@ variants! {
 }
 
 impl Statement {
-    /// Whether both distances agree.
-    pub const fn agreement(agreement: &Agreement) -> Self {
-        let z = agreement.z;
-        match agreement.verdict {
-            Some(Verdict::Agree) => Self::Agree { z },
-            Some(Verdict::Doubtful) => Self::HardlyAgree { z },
-            Some(Verdict::Disagree) => Self::Disagree { z },
-            None => Self::CannotJudge {
-                stereo_over_monocular: agreement.ratio,
-            },
+    /// Whether both distances agree; `None` where there are not two, or nobody asked how sure they are and they are near enough.
+    pub fn comparison(solution: &Solution) -> Option<Self> {
+        let comparison = solution.comparison?;
+        let stereo_over_monocular = comparison.ratio;
+        let has_sigma = Method::ALL.into_iter().any(|method| solution.uncertainty(method).is_some());
+        match comparison.agreement {
+            Some(Agreement { z, verdict }) => Some(match verdict {
+                Verdict::Agree => Self::Agree { z },
+                Verdict::Doubtful => Self::HardlyAgree { z },
+                Verdict::Disagree => Self::Disagree { z },
+            }),
+            None if comparison.contradict() => Some(Self::Contradict { stereo_over_monocular }),
+            None => has_sigma.then_some(Self::CannotJudge { stereo_over_monocular }),
         }
     }
 
@@ -105,13 +111,15 @@ impl Display for Statement {
                 "Stereo and monocular disagree{}: an input or its uncertainty is wrong.",
                 apart(z)
             ),
-            Self::CannotJudge { stereo_over_monocular } => {
-                f.write_str("Only the shared focal length has an uncertainty, so agreement cannot be judged")?;
-                match stereo_over_monocular {
-                    Some(ratio) => write!(f, "; stereo is {} times monocular.", significant(ratio, 4)),
-                    None => f.write_str("."),
-                }
-            }
+            Self::CannotJudge { stereo_over_monocular } => write!(
+                f,
+                "Agreement can be judged only where both distances have an uncertainty of their own{}.",
+                times(stereo_over_monocular).map_or_else(String::new, |times| format!("; {times}"))
+            ),
+            Self::Contradict { stereo_over_monocular } => match times(stereo_over_monocular) {
+                Some(times) => write!(f, "{}: an input is wrong.", capital(&times)),
+                None => f.write_str("Stereo and monocular have nothing to do with each other: an input is wrong."),
+            },
             Self::RawDisparity { .. }
             | Self::UnitSlip { .. }
             | Self::OtherSize { .. }
@@ -174,13 +182,21 @@ fn suspicion(statement: Statement, f: &mut Formatter<'_>) -> fmt::Result {
     }
 }
 
-/// " (1.6 σ apart)"
-fn apart(z: Option<f64>) -> String {
-    z.map_or_else(String::new, |z| {
-        // What is left of a difference by rounding is none.
-        let z = if z < 10.0 { format!("{z:.1}") } else { significant(z, 2) };
-        format!(" ({z} σ apart)")
+/// "monocular is 10.00 times stereo"
+fn times(stereo_over_monocular: Option<f64>) -> Option<String> {
+    let ratio = stereo_over_monocular?;
+    Some(if ratio >= 1.0 {
+        format!("stereo is {} times monocular", significant(ratio, 3))
+    } else {
+        format!("monocular is {} times stereo", significant(1.0 / ratio, 3))
     })
+}
+
+/// " (1.6 σ apart)"
+fn apart(z: f64) -> String {
+    // What is left of a difference by rounding is none.
+    let z = if z < 10.0 { format!("{z:.1}") } else { significant(z, 2) };
+    format!(" ({z} σ apart)")
 }
 
 #[cfg(test)]
@@ -190,12 +206,7 @@ mod tests {
     #[test]
     fn distances_that_only_rounding_tells_apart_are_not_apart() {
         for (z, expected) in [(5e-15, "(0.0 σ apart)"), (1.56, "(1.6 σ apart)"), (12.3, "(12 σ apart)")] {
-            let sentence = Statement::agreement(&Agreement {
-                ratio: Some(1.0),
-                z: Some(z),
-                verdict: Some(Verdict::of(z)),
-            })
-            .to_string();
+            let sentence = Statement::Agree { z }.to_string();
             assert!(sentence.contains(expected), "{sentence}");
         }
     }

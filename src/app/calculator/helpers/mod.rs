@@ -4,14 +4,14 @@ mod q_matrix;
 
 use crate::app::command::{Command, Helper};
 use crate::app::context::AppContext;
-use crate::app::dialog::{DialogFrame, close_button};
+use crate::app::dialog::{DialogFrame, close_button_ui};
 use crate::app::saved::{Settings, Ways};
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::{scroll, text};
-use crate::core::camera::SENSOR_FORMATS;
 use crate::core::q_matrix::StereoGeometry;
 use crate::core::quantity::LengthUnit;
+use depth_text::choices::SENSOR_FORMATS;
 use depth_text::entry::Entry;
 use depth_text::fields;
 use depth_text::note::Issue;
@@ -49,13 +49,14 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: &Solved)
     let frame = DialogFrame {
         id: "helper",
         title: title(helper),
-        max_width: 440.0,
+        max_width: theme::HELPER_WIDTH,
     };
     let cancel = Command::Help(None);
-    let response = frame.show(ui, |ui| {
+    let response = frame.ui(ui, |ui| {
         ui.spacing_mut().interact_size.y = cx.layout.control_height();
         ui.add_space(2.0 * theme::STEP);
-        scroll::up_to(ui, ui.ctx().content_rect().height() - 180.0, |ui| {
+        let height = ui.ctx().content_rect().height() - theme::HELPER_FRAME_HEIGHT;
+        scroll::up_to_ui(ui, height, |ui| {
             let way = way_choice_ui(ui, helper, &mut cx.settings.ways);
             match way {
                 Some(way) => way_ui(ui, cx, way, solved.of_way(way)),
@@ -63,7 +64,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: &Solved)
             }
         });
         ui.add_space(theme::STEP);
-        close_button(ui, cancel.text(), cx.layout)
+        close_button_ui(ui, cancel.text(), cx.layout)
     });
     if response.inner || response.should_close() {
         cx.commands.push(cancel);
@@ -85,7 +86,7 @@ fn chosen(helper: Helper, made: &Ways) -> (&'static str, &'static str) {
     same.or(choices.first()).copied().unwrap_or_default()
 }
 
-/// What comes of what was typed into a helper, worked out before it is drawn.
+/// The result of the way that is chosen in the open helper. The logic computes it before the frame is drawn.
 #[derive(Debug, Default)]
 pub struct Solved {
     /// The key of the way that was chosen.
@@ -96,7 +97,7 @@ pub struct Solved {
 }
 
 impl Solved {
-    /// What comes of the choice in `helper`.
+    /// Computes the result of the way that is chosen in `helper`.
     pub fn new(helper: Helper, settings: &Settings) -> Self {
         let way = Way::named(ways(helper), chosen(helper, &settings.ways).0);
         let matrix = settings.entries.entry(fields::Q_MATRIX);
@@ -107,7 +108,7 @@ impl Solved {
         }
     }
 
-    /// The result of `way`: nothing where another one was chosen when the frame began.
+    /// The result of `way`; empty where another way was chosen when the frame began.
     fn of_way(&self, way: &Way) -> &WayResult {
         static NOTHING: WayResult = WayResult {
             value: None,
@@ -159,14 +160,14 @@ fn way_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
             sensor_formats_ui(ui, cx.settings.entries.entry_mut(key));
         }
     }
-    text::caption(ui, way.remark);
+    text::caption_ui(ui, way.remark);
     ui.add_space(theme::STEP);
     let symbol = way.target.symbol;
     let label = result.value.map_or_else(
         || format!("Use as {symbol}"),
         |value| format!("Use {symbol} = {} px", significant(value, 6)),
     );
-    if use_button(ui, &label, result.value.is_some())
+    if use_button_ui(ui, &label, result.value.is_some())
         && let Some(value) = result.value
     {
         cx.commands.push(Command::Fix(way.target, way.entry(value)));
@@ -176,7 +177,7 @@ fn way_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
 fn sensor_formats_ui(ui: &mut Ui, entry: &mut Entry) {
     ComboBox::from_id_salt("sensor formats")
         .selected_text("Common formats…")
-        .width(200.0)
+        .width(theme::SENSOR_FORMATS_WIDTH)
         .show_ui(ui, |ui| {
             for format in &SENSOR_FORMATS {
                 let name = format!("{}: {} × {} mm", format.name, plain(format.width_mm), plain(format.height_mm));
@@ -191,7 +192,7 @@ fn sensor_formats_ui(ui: &mut Ui, entry: &mut Entry) {
     ui.add_space(2.0 * theme::STEP);
 }
 
-fn use_button(ui: &mut Ui, label: &str, enabled: bool) -> bool {
+fn use_button_ui(ui: &mut Ui, label: &str, enabled: bool) -> bool {
     let height = ui.spacing().interact_size.y;
     let palette = theme::palette(ui);
     let button = Button::new(RichText::new(label).font(theme::strong(theme::BODY_SIZE)).color(palette.on_blue))

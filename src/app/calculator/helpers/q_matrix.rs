@@ -2,7 +2,7 @@
 
 use crate::app::command::Command;
 use crate::app::context::AppContext;
-use crate::app::sentences::Sentence;
+use crate::app::sentences::{Hint, NoticeText};
 use crate::app::theme;
 use crate::app::widgets::text;
 use crate::core::problem::Field;
@@ -30,12 +30,12 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, read: Option<&Result<StereoGeome
                 .hint_text(RichText::new("[[1. 0. 0. −610.] [0. 1. 0. −350.] [0. 0. 0. 700.] [0. 0. 0.01 0.4]]").color(palette.muted)),
         )
         .labelled_by(name.id);
-    text::caption(ui, "As numpy prints it, as OpenCV's YAML or XML has it, or as sixteen numbers.");
+    text::caption_ui(ui, Hint::QMatrixForms.to_string());
     ui.add_space(theme::STEP);
     match read {
         Some(Ok(geometry)) => geometry_ui(ui, cx, geometry, field.id),
         Some(Err(issue)) => {
-            text::note(ui, Severity::Error, &issue.to_string(), Some(field.id));
+            text::note_ui(ui, Severity::Error, &issue.to_string(), Some(field.id));
         }
         None => {}
     }
@@ -44,36 +44,38 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, read: Option<&Result<StereoGeome
 /// What the matrix in `field` says, and what it does not: the unit of the baseline.
 fn geometry_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, field: Id) {
     let baseline = significant(geometry.baseline, 6);
-    ui.label(format!(
-        "fx {} px, baseline {baseline}, doffs {} px, principal point ({}, {}) px",
-        significant(geometry.focal_length.px(), 7),
-        plain(geometry.doffs.px()),
-        significant(geometry.cx.px(), 6),
-        significant(geometry.cy.px(), 6)
-    ));
+    ui.label(Hint::QMatrixContents { geometry: *geometry }.to_string());
     if geometry.swapped {
-        text::note(ui, Severity::Warning, &Issue::QMatrixSwapped.to_string(), Some(field));
+        text::note_ui(ui, Severity::Warning, &Issue::QMatrixSwapped.to_string(), Some(field));
     }
     ui.add_space(theme::STEP);
-    ui.label(format!("A Q matrix carries no unit. In which unit is the baseline {baseline}?"));
+    ui.label(
+        Hint::QMatrixUnit {
+            baseline: geometry.baseline,
+        }
+        .to_string(),
+    );
     ui.horizontal_wrapped(|ui| {
         let height = ui.spacing().interact_size.y;
         for unit in LengthUnit::ALL {
             let label = format!("{baseline} {}", unit.symbol());
             if ui.add(Button::new(label).min_size(vec2(0.0, height))).clicked() {
-                let filled = filled_in(&cx.session.inputs, geometry, unit);
-                cx.commands.push(Command::PrincipalPoint(geometry.cx, geometry.cy));
-                cx.commands.push(Command::Open(Box::new(filled), Sentence::FilledByQMatrix));
+                let baseline = Entry::new(plain(geometry.baseline), Some(unit));
+                let filled = filled_in(&cx.session.inputs, geometry, baseline);
+                cx.commands.push(Command::Open(Box::new(filled), NoticeText::FilledByQMatrix));
             }
         }
     });
 }
 
-/// `inputs` with what the matrix says, its baseline in `unit`.
-fn filled_in(inputs: &Inputs, geometry: &StereoGeometry, unit: LengthUnit) -> Inputs {
+/// `inputs` with what the matrix says, its baseline with a unit.
+fn filled_in(inputs: &Inputs, geometry: &StereoGeometry, baseline: Entry) -> Inputs {
     let mut filled = inputs.clone();
+    for (key, value) in [(fields::CX, geometry.cx), (fields::CY, geometry.cy)] {
+        filled.fill(key, Entry::new(plain(value.px()), None));
+    }
     filled.fill(Field::FocalLength, Entry::new(plain(geometry.focal_length.px()), None));
-    filled.fill(Field::Baseline, Entry::new(plain(geometry.baseline), Some(unit)));
+    filled.fill(Field::Baseline, baseline);
     let doffs = geometry.doffs.px();
     let doffs = if doffs == 0.0 { String::new() } else { plain(doffs) };
     filled.fill(Field::Doffs, Entry::new(doffs, None));

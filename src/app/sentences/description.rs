@@ -1,0 +1,162 @@
+//! What a picture shows, in words, for whoever does not see it.
+
+use super::hint::Hint;
+use crate::core::monte_carlo::Histogram;
+use crate::core::problem::{Method, Solution, Uncertainty};
+use crate::core::quantity::{Length, LengthUnit, Pixels};
+use depth_text::names::Named as _;
+use depth_text::{number, report};
+use std::fmt::{self, Display, Formatter};
+
+/// The description of a picture, with the numbers in it.
+#[derive(Clone, Copy, Debug)]
+pub enum Description<'a> {
+    /// The bars of both distances.
+    Bars { solution: &'a Solution, unit: LengthUnit },
+    /// The curve of distance against disparity, with the current point where there is one.
+    Curve { point: Option<(Pixels, Length)>, unit: LengthUnit },
+    /// The scene from above. `baseline` is absent for one camera, `width` where that of the object is not known, and the far end of
+    /// `interval` where it is infinitely far away.
+    TopView {
+        baseline: Option<Length>,
+        distance: Length,
+        interval: Option<(Length, Option<Length>)>,
+        width: Option<Length>,
+        unit: LengthUnit,
+    },
+    /// The bar of the shares of the variance.
+    Budget { uncertainty: &'a Uncertainty },
+    /// The histogram of so many simulated distances.
+    Histogram {
+        histogram: &'a Histogram,
+        draws: u32,
+        unit: LengthUnit,
+    },
+}
+
+impl Display for Description<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let length = |length, unit| report::length(Some(length), unit);
+        match *self {
+            Self::Bars { solution, unit } => {
+                let bars = Method::ALL.map(|method| bar(solution, method, unit));
+                write!(f, "Bar chart. {}.", bars.join(", "))
+            }
+            Self::Curve { point, unit } => {
+                f.write_str("Curve of distance against disparity, falling as one over the disparity.")?;
+                match point {
+                    Some((disparity, distance)) => write!(
+                        f,
+                        " At {} px the distance is {}.",
+                        number::plain(disparity.px()),
+                        length(distance, unit)
+                    ),
+                    None => f.write_str(" Enter a disparity to see its point."),
+                }
+            }
+            Self::TopView {
+                baseline,
+                distance,
+                interval,
+                width,
+                unit,
+            } => {
+                match baseline {
+                    Some(baseline) => write!(f, "Two cameras {} apart", length(baseline, unit))?,
+                    None => f.write_str("One camera")?,
+                }
+                write!(f, "; the object {} away", length(distance, unit))?;
+                match interval {
+                    Some((near, Some(far))) => write!(f, ", between {} and {}", length(near, unit), length(far, unit))?,
+                    Some((near, None)) => write!(f, ", {} or more", length(near, unit))?,
+                    None => {}
+                }
+                if let Some(width) = width {
+                    write!(f, ", {} wide", length(width, unit))?;
+                }
+                let place = if baseline.is_some() {
+                    Hint::ObjectMidway
+                } else {
+                    Hint::ObjectAhead
+                };
+                write!(f, ". {place}")
+            }
+            Self::Budget { uncertainty } => write!(f, "Shares of the variance: {}.", report::budget(uncertainty)),
+            Self::Histogram { histogram, draws, unit } => write!(
+                f,
+                "Histogram of {draws} simulated distances from {} to {}, {} of the draws beyond.",
+                length(histogram.low, unit),
+                length(histogram.high, unit),
+                report::percent(f64::from(histogram.beyond) / f64::from(draws.max(1)))
+            ),
+        }
+    }
+}
+
+/// "Stereo distance 1.400 ± 0.031 m, from 1.369 … 1.432 m"
+fn bar(solution: &Solution, method: Method, unit: LengthUnit) -> String {
+    let distance = solution.outcome(method).distance();
+    let words = match (distance, solution.uncertainty(method)) {
+        (Some(distance), Some(uncertainty)) => format!(
+            "{}, from {}",
+            report::with_sigma(distance, uncertainty.sigma, unit).text(unit),
+            report::interval(uncertainty, unit)
+        ),
+        _ => report::length(distance, unit),
+    };
+    format!("{} distance {words}", method.name())
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::Description;
+    use crate::app::sentences::snapshot::{assert_said, every};
+    use crate::core::monte_carlo::Histogram;
+    use crate::core::problem::{Field, Problem};
+    use crate::core::quantity::{Length, LengthUnit, Pixels};
+
+    #[test]
+    fn every_picture_is_described_as_it_was_written() {
+        let mut mug = Problem::default();
+        mug.set(Field::FocalLength, Some(700.0));
+        mug.set(Field::Baseline, Some(0.1));
+        mug.set(Field::Disparity, Some(50.0));
+        mug.set_sigma(Field::Disparity, 1.0);
+        mug.set_sigma(Field::FocalLength, 7.0);
+        let solution = mug.solve();
+        let unit = LengthUnit::Meter;
+        let meters = Length::from_m;
+        let histogram = Histogram {
+            low: meters(1.3),
+            high: meters(1.5),
+            counts: vec![40, 55],
+            below: 2,
+            beyond: 3,
+        };
+        let mut descriptions = every![Description<'_>;
+            Description::Bars { .. } => Description::Bars { solution: &solution, unit },
+            Description::Curve { .. } => Description::Curve { point: Some((Pixels::new(50.0), meters(1.4))), unit },
+            Description::TopView { .. } => Description::TopView {
+                baseline: Some(meters(0.1)),
+                distance: meters(1.4),
+                interval: Some((meters(1.373), Some(meters(1.429)))),
+                width: None,
+                unit,
+            },
+            Description::Budget { .. } => Description::Budget { uncertainty: solution.stereo_uncertainty.as_ref().unwrap() },
+            Description::Histogram { .. } => Description::Histogram { histogram: &histogram, draws: 100, unit },
+        ];
+        descriptions.extend([
+            Description::Curve { point: None, unit },
+            Description::TopView {
+                baseline: None,
+                distance: meters(4.275),
+                interval: Some((meters(4.1), None)),
+                width: Some(meters(0.9)),
+                unit,
+            },
+        ]);
+        assert_said("descriptions", &descriptions);
+    }
+}

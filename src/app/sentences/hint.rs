@@ -1,0 +1,217 @@
+//! What helps to enter something, or to understand what is shown.
+
+use crate::core::problem::Method;
+use crate::core::q_matrix::StereoGeometry;
+use crate::core::quantity::{Length, LengthUnit};
+use depth_text::field::Key;
+use depth_text::names::{Named as _, formula};
+use depth_text::number::{plain, significant};
+use depth_text::report;
+use std::fmt::{self, Display, Formatter};
+
+/// A hint, with its facts.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs, reason = "the facts of a sentence have the names of what they are")]
+pub enum Hint {
+    /// What could be typed into an empty field.
+    Example { key: Key },
+    /// What a screen reader adds to the name and the value of a field.
+    Field { key: Key },
+    /// What a screen reader adds to the name and the value of the σ of a field.
+    Sigma,
+    /// Where a number comes from that was solved for.
+    Solved,
+    /// How a Q matrix can be typed.
+    QMatrixForms,
+    /// What a Q matrix contains.
+    QMatrixContents { geometry: StereoGeometry },
+    /// The question for the unit of the baseline in a Q matrix.
+    QMatrixUnit { baseline: f64 },
+    /// What a method needs before it gives a distance.
+    MethodNeeds { method: Method },
+    /// What is still missing of a method that was begun.
+    StillNeeds { method: Method, needs: String },
+    /// That a baseline may be in squares.
+    SquaresOfBoard,
+    /// What the button for a Q matrix copies.
+    QMatrixCopy,
+    /// That the tilt counts.
+    TiltIsUsed { without: Length, unit: LengthUnit },
+    /// What the combined distance is.
+    Combined,
+    /// How far the distance changes with one pixel of disparity.
+    OnePixel { range: String },
+    /// The bars, while no distance is known.
+    NoBars,
+    /// The curve, while there is no pair of cameras.
+    NoCurve,
+    /// The top view, while no distance is known.
+    NoTopView,
+    /// Where the top view draws the object of two cameras.
+    ObjectMidway,
+    /// Where the top view draws the object of one camera.
+    ObjectAhead,
+    /// The difference between depth and range.
+    DepthOrRange,
+    /// What a tilted target does to the monocular distance.
+    TiltedTarget,
+    /// The formula of the ground plane.
+    GroundPlane,
+    /// The mean of many distances is too far by this.
+    Bias { bias: Length, unit: LengthUnit },
+    /// The simulation is running.
+    Simulating,
+    /// What the simulation has done.
+    Simulated { draws: u32 },
+}
+
+impl Display for Hint {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Example { key } => write!(f, "e.g. {}", key.example()),
+            Self::Field { key } => write_field(f, *key),
+            Self::Sigma => {
+                f.write_str("One standard deviation, in the unit of the value, with a unit of its own, or in percent. Empty: none.")
+            }
+            Self::Solved => f.write_str("Computed from the distance and the other quantities."),
+            Self::QMatrixForms => f.write_str("As numpy or MATLAB prints it, as OpenCV’s YAML, XML or JSON has it, or as sixteen numbers."),
+            Self::QMatrixContents { geometry } => write!(
+                f,
+                "fx {} px, baseline {}, doffs {} px, principal point ({}, {}) px",
+                significant(geometry.focal_length.px(), 7),
+                significant(geometry.baseline, 6),
+                plain(geometry.doffs.px()),
+                significant(geometry.cx.px(), 6),
+                significant(geometry.cy.px(), 6)
+            ),
+            Self::QMatrixUnit { baseline } => write!(
+                f,
+                "A Q matrix carries no unit. In which unit is the baseline {}?",
+                significant(*baseline, 6)
+            ),
+            Self::MethodNeeds { method } => {
+                let [first, second, third] = method.fields().map(|field| Key::from(field).symbol);
+                write!(f, "{}: {} needs {first}, {second} and {third}.", method.name(), formula(*method, false))
+            }
+            Self::StillNeeds { method, needs } => write!(f, "{}: {needs}.", method.name()),
+            Self::SquaresOfBoard => f.write_str("If the calibration was not told the size of its squares, the baseline is in squares:"),
+            Self::QMatrixCopy => f.write_str("The matrix of what is in the form, lengths in meters:"),
+            Self::TiltIsUsed { without, unit } => write!(
+                f,
+                "The monocular distance has the tilt in it; without, it would be {}.",
+                report::length(Some(*without), *unit)
+            ),
+            Self::Combined => f.write_str(report::COMBINED_ESTIMATE),
+            Self::OnePixel { range } => write!(f, "{range} with {}", report::ONE_PIXEL),
+            Self::NoBars => f.write_str("The distances of both methods side by side, as soon as one of them is known."),
+            Self::NoCurve => {
+                f.write_str("How fast the distance grows as the disparity shrinks, once focal length and baseline are known.")
+            }
+            Self::NoTopView => {
+                f.write_str("The cameras, their lines of sight and the object from above, as soon as a distance is known.")
+            }
+            Self::ObjectMidway => {
+                f.write_str("The object is drawn midway between the cameras; where it stands sideways needs more than a disparity.")
+            }
+            Self::ObjectAhead => f.write_str("The object is drawn straight ahead of the camera, facing it."),
+            Self::DepthOrRange => f.write_str(
+                "The distance of this program is the depth Z along the optical axis. A tape held at the lens measures the range R, which is longer away from the middle of the image.",
+            ),
+            Self::TiltedTarget => f.write_str(
+                "A target turned away by an angle looks narrower by its cosine, so the monocular method puts it too far away. The distance is that to the plane of the target’s middle, along the optical axis.",
+            ),
+            Self::GroundPlane => f.write_str(
+                "Where the ray of a pixel meets a level floor, or the level plane that the target reaches up to: straight ahead (h − h_target) / tan(θ + atan((v − cy) / fy)). Needs neither a second camera nor a known size; the camera has no roll.",
+            ),
+            Self::Bias { bias, unit } => write!(
+                f,
+                "Averaging many such distances comes out {} too far: average the pixels, not the distances.",
+                report::length(Some(*bias), *unit)
+            ),
+            Self::Simulating => f.write_str("Drawing 100 000 times…"),
+            Self::Simulated { draws } => write!(
+                f,
+                "{draws} draws of all inputs, the same ones every time. A draw whose pixels are zero or less counts as infinitely far."
+            ),
+        }
+    }
+}
+
+/// The hint of the field, its unit, and its keys.
+fn write_field(f: &mut Formatter<'_>, key: Key) -> fmt::Result {
+    if !key.hint.is_empty() {
+        write!(f, "{} ", key.hint)?;
+    }
+    let symbol = key.unit_symbol();
+    // The unit of a length is a control of its own.
+    if !(key.is_length() || symbol.is_empty()) {
+        write!(f, "In {}. ", spoken_unit(symbol))?;
+    }
+    f.write_str("Arrow up and down step the value.")
+}
+
+/// The word that a screen reader should say for the symbol of a unit.
+fn spoken_unit(symbol: &str) -> &str {
+    match symbol {
+        "px" => "pixels",
+        "mm" => "millimeters",
+        "µm" => "micrometers",
+        "m" => "meters",
+        "°" => "degrees",
+        other => other,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Hint;
+    use crate::app::sentences::snapshot::{assert_shown, every};
+    use crate::core::problem::Method;
+    use crate::core::q_matrix::StereoGeometry;
+    use crate::core::quantity::{Length, LengthUnit, Pixels};
+    use depth_text::fields;
+
+    #[test]
+    fn every_hint_is_as_it_was_written() {
+        let geometry = || StereoGeometry {
+            focal_length: Pixels::new(700.0),
+            baseline: 100.0,
+            doffs: Pixels::new(40.0),
+            cx: Pixels::new(610.0),
+            cy: Pixels::new(350.5),
+            swapped: false,
+        };
+        let mut hints = every![Hint;
+            Hint::Example { .. } => Hint::Example { key: fields::FOCAL_LENGTH },
+            Hint::Field { .. } => Hint::Field { key: fields::FOCAL_LENGTH },
+            Hint::Sigma => Hint::Sigma,
+            Hint::Solved => Hint::Solved,
+            Hint::QMatrixForms => Hint::QMatrixForms,
+            Hint::QMatrixContents { .. } => Hint::QMatrixContents { geometry: geometry() },
+            Hint::QMatrixUnit { .. } => Hint::QMatrixUnit { baseline: 100.0 },
+            Hint::MethodNeeds { .. } => Hint::MethodNeeds { method: Method::Stereo },
+            Hint::StillNeeds { .. } => Hint::StillNeeds { method: Method::Stereo, needs: "needs b and d".into() },
+            Hint::SquaresOfBoard => Hint::SquaresOfBoard,
+            Hint::QMatrixCopy => Hint::QMatrixCopy,
+            Hint::TiltIsUsed { .. } => Hint::TiltIsUsed { without: Length::from_m(4.275), unit: LengthUnit::Meter },
+            Hint::Combined => Hint::Combined,
+            Hint::OnePixel { .. } => Hint::OnePixel { range: "1.373 … 1.429 m".into() },
+            Hint::NoBars => Hint::NoBars,
+            Hint::NoCurve => Hint::NoCurve,
+            Hint::NoTopView => Hint::NoTopView,
+            Hint::ObjectMidway => Hint::ObjectMidway,
+            Hint::ObjectAhead => Hint::ObjectAhead,
+            Hint::DepthOrRange => Hint::DepthOrRange,
+            Hint::TiltedTarget => Hint::TiltedTarget,
+            Hint::GroundPlane => Hint::GroundPlane,
+            Hint::Bias { .. } => Hint::Bias { bias: Length::from_m(0.0028), unit: LengthUnit::Meter },
+            Hint::Simulating => Hint::Simulating,
+            Hint::Simulated { .. } => Hint::Simulated { draws: 100_000 },
+        ];
+        hints.push(Hint::MethodNeeds { method: Method::Monocular });
+        for key in [fields::BASELINE, fields::DOFFS, fields::CAMERA_PITCH, fields::PIXEL_PITCH] {
+            hints.push(Hint::Field { key });
+        }
+        assert_shown("hints", &hints);
+    }
+}

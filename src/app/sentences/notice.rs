@@ -1,0 +1,143 @@
+//! What the application says about what just happened: the texts of the notice bar.
+
+use super::platform_error::{Place, PlatformError};
+use std::fmt::{self, Display, Formatter};
+
+/// A text of the notice bar, with its facts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NoticeText {
+    /// The results are on the clipboard.
+    Copied,
+    /// The results could not be copied.
+    NotCopied(PlatformError),
+    /// Another tab or window has stored something.
+    StoredElsewhere,
+    /// The fields were cleared.
+    Cleared,
+    /// There was nothing to clear.
+    NothingToClear,
+    /// An example was opened.
+    FilledByExample,
+    /// A link was followed.
+    FilledByLink,
+    /// A Q matrix was taken over.
+    FilledByQMatrix,
+    /// An edit was undone.
+    Undone,
+    /// There is no edit to undo.
+    NothingToUndo,
+    /// An edit was done again.
+    Redone,
+    /// There is no edit to do again.
+    NothingToRedo,
+    /// The program starts with empty fields, and cannot store anything: the old text cannot be moved out of the way, because of
+    /// `obstacle`, which is absent where it is what the fresh start was for.
+    Forgetful {
+        cause: FreshStart,
+        obstacle: Option<PlatformError>,
+    },
+    /// The program starts with empty fields, and the old text was moved to `place`.
+    SetAside { cause: FreshStart, place: Place },
+    /// The old text could not be moved out of the way at the start, and now it was, to this place.
+    SetAsideLater(Place),
+    /// What is typed could not be stored.
+    NotStored(PlatformError),
+}
+
+/// Why the program starts with empty fields although something is stored.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FreshStart {
+    /// The stored text is corrupt or of another version.
+    NotParsed,
+    /// The stored text could not be loaded.
+    NotLoaded(PlatformError),
+}
+
+impl Display for NoticeText {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Copied => f.write_str("Results copied to the clipboard."),
+            Self::NotCopied(error) => error.fmt(f),
+            Self::StoredElsewhere => f.write_str(
+                "Another tab changed what is stored. Both go on; what is changed last is what a reload brings back. To keep these numbers, change something here, or copy them.",
+            ),
+            Self::Cleared => f.write_str("All fields are cleared."),
+            Self::NothingToClear => f.write_str("There was nothing to clear."),
+            Self::FilledByExample => f.write_str("The example is filled in."),
+            Self::FilledByLink => f.write_str("The link filled in the fields that it names."),
+            Self::FilledByQMatrix => f.write_str("The Q matrix filled in focal length, baseline and doffs."),
+            Self::Undone => f.write_str("Undone."),
+            Self::NothingToUndo => f.write_str("There is nothing to undo."),
+            Self::Redone => f.write_str("Done again."),
+            Self::NothingToRedo => f.write_str("There is nothing to do again."),
+            Self::Forgetful { cause, obstacle } => {
+                write!(f, "{cause} ")?;
+                if let Some(obstacle) = obstacle {
+                    write!(f, "{obstacle} ")?;
+                }
+                f.write_str("The program works, but forgets what you enter when it is closed: copy your results to keep them.")
+            }
+            Self::SetAside { cause, place } => write!(f, "{cause} The old text is kept {place}."),
+            Self::SetAsideLater(place) => write!(f, "There is room again for what you enter. The old text is kept {place}."),
+            Self::NotStored(error) => write!(
+                f,
+                "{error} What you enter now may be gone after a restart: copy your results to keep them."
+            ),
+        }
+    }
+}
+
+impl Display for FreshStart {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotParsed => {
+                f.write_str("What was stored last time could not be read, or is of another version, so the program starts fresh.")
+            }
+            Self::NotLoaded(error) => error.fmt(f),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FreshStart, NoticeText, Place, PlatformError};
+    use crate::app::sentences::snapshot::{assert_shown, every};
+
+    #[test]
+    fn every_notice_is_as_it_was_written() {
+        let full = || PlatformError::NotSetAside {
+            reason: "Storage is full.".to_owned(),
+        };
+        let place = || Place::File("old.json".into());
+        let mut notices = every![NoticeText;
+            NoticeText::Copied => NoticeText::Copied,
+            NoticeText::NotCopied(_) => NoticeText::NotCopied(PlatformError::NoClipboard),
+            NoticeText::StoredElsewhere => NoticeText::StoredElsewhere,
+            NoticeText::Cleared => NoticeText::Cleared,
+            NoticeText::NothingToClear => NoticeText::NothingToClear,
+            NoticeText::FilledByExample => NoticeText::FilledByExample,
+            NoticeText::FilledByLink => NoticeText::FilledByLink,
+            NoticeText::FilledByQMatrix => NoticeText::FilledByQMatrix,
+            NoticeText::Undone => NoticeText::Undone,
+            NoticeText::NothingToUndo => NoticeText::NothingToUndo,
+            NoticeText::Redone => NoticeText::Redone,
+            NoticeText::NothingToRedo => NoticeText::NothingToRedo,
+            NoticeText::Forgetful { .. } => NoticeText::Forgetful { cause: FreshStart::NotParsed, obstacle: Some(full()) },
+            NoticeText::SetAside { .. } => NoticeText::SetAside { cause: FreshStart::NotParsed, place: place() },
+            NoticeText::SetAsideLater(_) => NoticeText::SetAsideLater(place()),
+            NoticeText::NotStored(_) => NoticeText::NotStored(PlatformError::NoStorage),
+        ];
+        let not_loaded = || FreshStart::NotLoaded(PlatformError::NoStorage);
+        notices.extend([
+            NoticeText::Forgetful {
+                cause: not_loaded(),
+                obstacle: None,
+            },
+            NoticeText::SetAside {
+                cause: not_loaded(),
+                place: place(),
+            },
+        ]);
+        assert_shown("notices", &notices);
+    }
+}

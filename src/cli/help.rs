@@ -1,0 +1,59 @@
+//! What `--help` and the manual page say below the options. The lines are short enough for a manual page in 80 columns.
+
+/// Of `calculate`.
+pub(super) const CALCULATE: &str = "\
+Formulas:
+  stereo     D = fx · b / (d + doffs)   needs --fx, --baseline, --disparity
+  monocular  D = w_real · fx / w_img    needs --fx, --w-img, --w-real
+
+Units:
+  A length may carry mm, cm, m, in or ft (100mm, 0.1m), or squares of a
+  calibration board (\"1.695 squares of 23.6 mm\"). Bare, --baseline is in mm,
+  the others in m, and an angle is in degrees. An uncertainty is one standard
+  deviation: with a unit, in percent (1%), or bare in the unit of its value.
+  A raw value of OpenCV's StereoBM or StereoSGBM is 16 times the disparity:
+  divide it.
+
+Answer:
+  The first line starts with the distance; with both methods and their
+  uncertainties it is the two combined, unless they disagree. Warnings go to
+  standard error, or with --json into \"warnings\".
+
+Examples:
+  depth-calculator calculate --fx 700 --baseline 100mm --disparity 50
+      a coffee mug, 1.400 m away
+  depth-calculator calculate --fx 950 --w-img 200 --w-real 0.9m --unit ft
+      a doorway, 14.03 ft away
+  depth-calculator calculate --fx 700 --baseline 100 --disparity 50 \\
+      --sigma-fx 2 --sigma-baseline 0.5mm --sigma-disparity 0.5 --json
+      how sure one can be of the mug, for a program to read
+  depth-calculator calculate --fx 700 --baseline 100 --distance 2 \\
+      --solve-for disparity
+      at 2 m the disparity is 35 px
+  depth-calculator calculate --fx 700 --baseline 100 --disparity 50 \\
+      --cx 640 --cy 360 --u 1000 --v 360
+      where the mug is, and how far by tape: 1.574 m
+
+Exit status:
+  0 with an answer, 2 with a one-line reason on standard error,
+  1 if the answer could not be written";
+
+/// Of `ground`.
+pub(super) const GROUND: &str = "\
+The ray of a pixel meets a level floor, or the level plane at the height of
+the target. The camera has no roll. Pitch and --angle count downwards.
+
+Example:
+  depth-calculator ground --fx 700 --cx 640 --cy 360 --height 1.2 \\
+      --pitch 10 --u 1100 --row 500
+      3.740 m along the floor: 3.076 m ahead, 2.128 m to the right";
+
+/// Of `q`.
+pub(super) const Q: &str = "\
+The matrix is read from a calibration file of OpenCV (YAML, XML, JSON), from
+what numpy or MATLAB print, or from sixteen numbers.
+
+Example:
+  echo '1 0 0 -610 0 1 0 -350 0 0 0 700 0 0 0.01 0.4' |
+      depth-calculator q - --file-unit mm
+      fx 700 px, baseline 100 mm, doffs 40 px";
