@@ -12,7 +12,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let frame = DialogFrame {
         id: "about",
         title: Command::ShowDialog(Some(Dialog::About)).text(),
-        max_width: 640.0,
+        max_width: theme::ABOUT_WIDTH,
     };
     let close = Command::ShowDialog(None);
     let response = frame.ui(ui, |ui| {
@@ -60,8 +60,8 @@ fn full_text_ui(ui: &mut Ui, licenses: &'static str) {
         theme::strong(theme::BODY_SIZE),
         theme::palette(ui).text,
     );
-    // Whatever the rest of the dialog leaves; at least a few lines in the smallest window.
-    let height = (ui.ctx().content_rect().height() - 360.0).max(96.0);
+    // Whatever the rest of the dialog leaves.
+    let height = (ui.ctx().content_rect().height() - theme::ABOUT_FRAME_HEIGHT).max(theme::LICENSES_MIN_HEIGHT);
     let turned: f32 = [
         (Key::PageDown, -0.9),
         (Key::PageUp, 0.9),

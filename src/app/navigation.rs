@@ -16,7 +16,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     ui.horizontal(|ui| {
         text::heading_ui(ui, "Depth Calculator", 1, theme::strong(theme::TITLE_SIZE), palette.text);
         if cx.layout != Layout::Phone {
-            ui.add_space(8.0);
+            ui.add_space(2.0 * theme::STEP);
             tabs_ui(ui, cx);
         }
         // A right-to-left layout would reverse the order in which Tab and screen readers reach the buttons.

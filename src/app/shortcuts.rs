@@ -54,7 +54,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let frame = DialogFrame {
         id: "keys",
         title: "Keys",
-        max_width: 460.0,
+        max_width: theme::KEYS_WIDTH,
     };
     let about = Command::ShowDialog(Some(Dialog::About));
     let close = Command::ShowDialog(None);

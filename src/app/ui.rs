@@ -27,7 +27,8 @@ impl App {
         };
         ui.spacing_mut().interact_size.y = cx.layout.control_height();
         let top = Panel::top("navigation").resizable(false);
-        top.frame(bar(ui, cx.layout, 8)).show(ui, |ui| navigation::ui(ui, cx));
+        top.frame(bar(ui, cx.layout, theme::NAVIGATION_MARGIN))
+            .show(ui, |ui| navigation::ui(ui, cx));
         let bottom_bar = BottomBar::new(ui, "screen");
         bottom_bar.above_ui(ui, |ui| screen_ui(ui, cx, &mut self.calculator));
         bottom_bar.below_ui(ui, |ui| bottom_ui(ui, cx, self.notice.as_ref()));
@@ -62,7 +63,7 @@ fn screen_ui(ui: &mut Ui, cx: &mut AppContext<'_>, calculator: &mut Calculator) 
     let background = Frame::new().fill(theme::palette(ui).page).inner_margin(Margin {
         left: cx.layout.screen_margin(),
         right: cx.layout.screen_margin(),
-        top: 16,
+        top: theme::SCREEN_TOP,
         bottom: 0,
     });
     CentralPanel::no_frame().frame(background).show(ui, |ui| {
@@ -78,10 +79,10 @@ fn screen_ui(ui: &mut Ui, cx: &mut AppContext<'_>, calculator: &mut Calculator) 
 
 fn bottom_ui(ui: &mut Ui, cx: &mut AppContext<'_>, notice: Option<&Notice>) {
     if let Some(notice) = notice {
-        separated_bar_ui(ui, cx, 6, |ui, cx| notice.ui(ui, cx));
+        separated_bar_ui(ui, cx, theme::NOTICE_MARGIN, |ui, cx| notice.ui(ui, cx));
     }
     if cx.layout == Layout::Phone && cx.settings.screen == Screen::Calculator {
-        separated_bar_ui(ui, cx, 10, |ui, cx| calculator::result_bar_ui(ui, cx));
+        separated_bar_ui(ui, cx, theme::BAR_RESULT_MARGIN, |ui, cx| calculator::result_bar_ui(ui, cx));
     }
 }
 
@@ -105,7 +106,6 @@ fn bar(ui: &Ui, layout: Layout, vertical: i8) -> Frame {
 
 /// Draws a ring around the focused widget: not every widget shows its focus by itself.
 fn focus_ring(ui: &Ui) {
-    const WIDTH: f32 = 2.0;
     // A text field shows it by its border.
     if ui.ctx().text_edit_focused() {
         return;
@@ -116,8 +116,9 @@ fn focus_ring(ui: &Ui) {
         return;
     };
     // Clipped to the visible part of the widget.
-    let visible = response.interact_rect.expand(3.0 * WIDTH);
+    let visible = response.interact_rect.expand(3.0 * theme::FOCUS_RING_WIDTH);
     let painter = ui.ctx().layer_painter(response.layer_id).with_clip_rect(visible);
-    let ring = Stroke::new(WIDTH, theme::palette(ui).blue);
-    painter.rect_stroke(response.rect.expand(WIDTH), theme::CONTROL_RADIUS, ring, egui::StrokeKind::Outside);
+    let ring = Stroke::new(theme::FOCUS_RING_WIDTH, theme::palette(ui).blue);
+    let around = response.rect.expand(theme::FOCUS_RING_WIDTH);
+    painter.rect_stroke(around, theme::CONTROL_RADIUS, ring, egui::StrokeKind::Outside);
 }

@@ -215,7 +215,12 @@ fn paint_point(ui: &Ui, handle: &Response, frame: Rect, at: egui::Pos2, words: &
     let palette = theme::palette(ui);
     let held = handle.hovered() || handle.dragged() || handle.has_focus();
     let color = if held { palette.text } else { palette.blue };
-    ui.painter().circle(at, 7.0, palette.surface, Stroke::new(theme::THICK_LINE, color));
+    ui.painter().circle(
+        at,
+        theme::CURVE_POINT_RADIUS,
+        palette.surface,
+        Stroke::new(theme::THICK_LINE, color),
+    );
     label(ui, frame, at, words);
 }
 
@@ -225,15 +230,16 @@ fn label(ui: &Ui, frame: Rect, at: egui::Pos2, text: &str) {
     let galley = ui
         .painter()
         .layout_no_wrap(text.to_owned(), theme::regular(theme::SMALL_SIZE), palette.text);
-    let fits_right = at.x + 14.0 + galley.size().x < frame.right();
+    let fits_right = at.x + theme::CURVE_LABEL_GAP + galley.size().x < frame.right();
     let x = if fits_right {
-        at.x + 14.0
+        at.x + theme::CURVE_LABEL_GAP
     } else {
-        (at.x - 14.0 - galley.size().x).max(frame.left())
+        (at.x - theme::CURVE_LABEL_GAP - galley.size().x).max(frame.left())
     };
-    let y = (at.y - 12.0 - galley.size().y).clamp(frame.top(), frame.bottom() - galley.size().y);
+    let y = (at.y - theme::CURVE_LABEL_RISE - galley.size().y).clamp(frame.top(), frame.bottom() - galley.size().y);
     let rect = Align2::LEFT_TOP.anchor_size(pos2(x, y), galley.size());
-    ui.painter().rect_filled(rect.expand(2.0), theme::MARK_RADIUS, palette.surface);
+    ui.painter()
+        .rect_filled(rect.expand(theme::CURVE_LABEL_PADDING), theme::MARK_RADIUS, palette.surface);
     ui.painter().galley(rect.min, galley, palette.text);
 }
 
@@ -250,7 +256,7 @@ fn plot_ui(ui: &mut Ui, model: Model, unit: LengthUnit) -> Drawn {
         .y_axis_formatter(move |mark, _| plot::mark_label(mark, depth_end, unit))
         .show(ui, |plot| {
             let line = Line::new("distance", PlotPoints::from(model.points()));
-            plot.line(line.color(color).width(2.5).allow_hover(false));
+            plot.line(line.color(color).width(theme::CURVE_LINE).allow_hover(false));
         });
     Drawn { model, plot }
 }

@@ -39,7 +39,7 @@ fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
     for section in Section::ALL {
         part_ui(ui, Part::Section(section), |ui| {
             text::card_heading_ui(ui, section.name());
-            let mut space = 2.0;
+            let mut space = theme::FIRST_FIELD_SPACE;
             for key in section.keys() {
                 // Most rigs have no doffs, so the field is hidden until there is one.
                 if !cx.session.inputs.shows(key) {

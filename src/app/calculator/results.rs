@@ -169,7 +169,7 @@ fn number_ui(ui: &mut Ui, value: &str, unit: &str, name: &str) {
     let mut small = egui::TextFormat::simple(theme::regular(theme::RESULT_UNIT_SIZE), palette.muted);
     // Text of two sizes is aligned at the bottom of the line; the taller line lifts the small one to the same baseline.
     small.line_height = Some(theme::RESULT_UNIT_SIZE * 1.21 + (theme::RESULT_SIZE - theme::RESULT_UNIT_SIZE) * 0.48);
-    job.append(&format!(" {unit}"), 2.0, small);
+    job.append(&format!(" {unit}"), theme::RESULT_UNIT_GAP, small);
     let response = ui.label(job);
     text::announce(ui, &response);
     ui.accesskit_node_builder(response.id, |node| node.set_description(name));

@@ -13,7 +13,7 @@ use egui::{FontId, Ui};
 /// The table "Key input parameters and outputs".
 pub fn ui(ui: &mut Ui, solution: &Solution) {
     cards::card_ui(ui, Card::Table, Card::Table.title(), |ui| {
-        let narrow = ui.available_width() < 480.0;
+        let narrow = ui.available_width() < theme::NARROW_TABLE_WIDTH;
         let shares = if narrow { [1.2, 0.8, 0.7, 1.3] } else { [1.25, 0.55, 0.5, 1.7] };
         let size = if narrow { theme::SMALL_SIZE } else { theme::BODY_SIZE };
         let palette = theme::palette(ui);

@@ -2,16 +2,13 @@
 
 use super::card::Card;
 use crate::app::sentences::{Description, Hint};
-use crate::app::theme::{self, Palette};
+use crate::app::theme::{self, Palette, top_view as size};
 use crate::app::widgets::plot::round_down;
 use crate::app::widgets::{picture, text};
 use crate::core::problem::{Method, Solution};
 use crate::core::quantity::{Length, LengthUnit};
 use depth_text::{number, report};
-use egui::{Align2, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, pos2, vec2};
-
-/// Cameras that would be drawn closer together than this, in points, are enlarged in an inset.
-const CLOSE: f32 = 24.0;
+use egui::{Align2, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
 
 /// Draws the picture.
 pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
@@ -21,7 +18,7 @@ pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
         return;
     };
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::PICTURE_HEIGHT), Sense::hover());
-    let scene = Scene::new(&model, rect.shrink(4.0));
+    let scene = Scene::new(&model, rect.shrink(size::PADDING));
     paint(&ui.painter().with_clip_rect(rect), palette, &model, &scene, unit);
     picture::describe(ui, &response, Card::TopView.title(), &model.description(unit));
     text::caption_ui(ui, model.remark().to_string());
@@ -115,14 +112,12 @@ struct Inset {
 
 impl Scene {
     fn new(model: &Model, frame: Rect) -> Self {
-        const MARGIN: f32 = 26.0;
-        const FAR_MARGIN: f32 = 22.0;
-        let height = f64::from((frame.height() - MARGIN - FAR_MARGIN).max(1.0));
+        let height = f64::from((frame.height() - size::BELOW_CAMERAS - size::ABOVE_OBJECT).max(1.0));
         let width = f64::from((frame.width() * 0.8).max(1.0));
         let widest = model.baseline_m.unwrap_or(0.0).max(model.width_m.unwrap_or(0.0));
         // Both axes have the same scale, the largest that fits.
         let points_per_meter = (height / model.depth_m).min(if widest > 0.0 { width / widest } else { f64::INFINITY });
-        let origin = pos2(frame.center().x, frame.bottom() - MARGIN);
+        let origin = pos2(frame.center().x, frame.bottom() - size::BELOW_CAMERAS);
         let place = |x_m: f64, z_m: f64| pos2(origin.x + to_f32(x_m * points_per_meter), origin.y - to_f32(z_m * points_per_meter));
         let cameras = match model.baseline_m {
             Some(baseline) => vec![place(-baseline / 2.0, 0.0), place(baseline / 2.0, 0.0)],
@@ -131,10 +126,13 @@ impl Scene {
         let object = place(0.0, model.depth_m);
         let inset = model.baseline_m.and_then(|baseline| {
             let apart = baseline * points_per_meter;
-            (apart < f64::from(CLOSE)).then(|| {
-                let frame = Rect::from_min_size(frame.left_bottom() - vec2(0.0, 92.0), vec2((frame.width() * 0.36).min(132.0), 92.0));
+            (apart < f64::from(size::CLOSE_CAMERAS)).then(|| {
+                let frame = Rect::from_min_size(
+                    frame.left_bottom() - vec2(0.0, size::INSET_HEIGHT),
+                    vec2((frame.width() * 0.36).min(size::INSET_WIDTH), size::INSET_HEIGHT),
+                );
                 let shown = frame.width() * 0.5;
-                let y = frame.bottom() - 34.0;
+                let y = frame.bottom() - size::INSET_CAMERAS_RISE;
                 Inset {
                     frame,
                     cameras: [-0.5, 0.5].map(|side| pos2(frame.center().x + side * shown, y)),
@@ -165,7 +163,7 @@ fn paint(painter: &Painter, palette: &Palette, model: &Model, scene: &Scene, uni
     };
     for &camera in &scene.cameras {
         for &target in &targets {
-            painter.extend(Shape::dashed_line(&[camera, target], sight, 4.0, 3.0));
+            painter.extend(Shape::dashed_line(&[camera, target], sight, size::DASH, size::DASH_GAP));
         }
     }
     if let Some(edges) = scene.edges {
@@ -174,10 +172,13 @@ fn paint(painter: &Painter, palette: &Palette, model: &Model, scene: &Scene, uni
     if let Some((near, far)) = model.interval_m {
         let x = scene.object.x;
         let y = |depth_m: f64| scene.object.y + to_f32((model.depth_m - depth_m) * scene.points_per_meter);
-        let span = Rect::from_x_y_ranges(x - 5.0..=x + 5.0, far.map_or(frame.top(), y)..=y(near));
+        let span = Rect::from_x_y_ranges(
+            x - size::SPAN_HALF_WIDTH..=x + size::SPAN_HALF_WIDTH,
+            far.map_or(frame.top(), y)..=y(near),
+        );
         painter.rect_filled(span, theme::SPAN_RADIUS, palette.blue.gamma_multiply(0.35));
     }
-    painter.circle_filled(scene.object, 4.5, palette.blue);
+    painter.circle_filled(scene.object, size::OBJECT_RADIUS, palette.blue);
     for &camera in &scene.cameras {
         camera_body(painter, palette, camera);
     }
@@ -185,7 +186,7 @@ fn paint(painter: &Painter, palette: &Palette, model: &Model, scene: &Scene, uni
     let beside = scene.edges.map_or(scene.object, |[_, right]| right).max(scene.object);
     let label = Label {
         text: &text,
-        position: beside + vec2(10.0, 0.0),
+        position: beside + vec2(size::OBJECT_LABEL_GAP, 0.0),
         anchor: Align2::LEFT_CENTER,
         frame,
     };
@@ -195,7 +196,7 @@ fn paint(painter: &Painter, palette: &Palette, model: &Model, scene: &Scene, uni
     } else if let Some(baseline) = model.baseline_m {
         let label = Label {
             text: &baseline_text(baseline, unit),
-            position: pos2(frame.center().x, frame.bottom() - 9.0),
+            position: pos2(frame.center().x, frame.bottom() - size::BASELINE_LABEL_RISE),
             anchor: Align2::CENTER_CENTER,
             frame,
         };
@@ -215,13 +216,13 @@ fn paint_inset(painter: &Painter, palette: &Palette, model: &Model, inset: &Inse
     let [left, right] = inset.cameras;
     // The true directions of sight: steep, as the object is many baselines away.
     let lean = to_f32(model.baseline_m.unwrap_or(0.0) / 2.0 / model.depth_m);
-    let up = left.y - inset.frame.top() - 20.0;
+    let up = left.y - inset.frame.top() - size::INSET_SIGHT_DROP;
     for (camera, side) in [(left, 1.0), (right, -1.0)] {
         painter.extend(Shape::dashed_line(
             &[camera, camera + vec2(side * lean * up, -up)],
             Stroke::new(theme::SIGHT_LINE, palette.blue),
-            4.0,
-            3.0,
+            size::DASH,
+            size::DASH_GAP,
         ));
         camera_body(painter, palette, camera);
     }
@@ -230,7 +231,7 @@ fn paint_inset(painter: &Painter, palette: &Palette, model: &Model, inset: &Inse
             text,
             position,
             anchor: Align2::CENTER_CENTER,
-            frame: inset.frame.shrink(4.0),
+            frame: inset.frame.shrink(size::PADDING),
         };
         label.paint(painter, palette);
     };
@@ -239,10 +240,10 @@ fn paint_inset(painter: &Painter, palette: &Palette, model: &Model, inset: &Inse
     } else {
         "cameras, enlarged".to_owned()
     };
-    label(inset.frame.center_top() + vec2(0.0, 10.0), &enlarged);
+    label(inset.frame.center_top() + vec2(0.0, size::INSET_TITLE_DROP), &enlarged);
     if let Some(baseline) = model.baseline_m {
         let text = baseline_text(baseline, unit);
-        label(inset.frame.center_bottom() - vec2(0.0, 11.0), &text);
+        label(inset.frame.center_bottom() - vec2(0.0, size::INSET_LABEL_RISE), &text);
     }
 }
 
@@ -255,17 +256,17 @@ fn paint_scale(painter: &Painter, palette: &Palette, scene: &Scene, unit: Length
     if !length.is_normal() {
         return;
     }
-    let end = pos2(frame.right() - 8.0, frame.bottom() - 8.0);
+    let end = frame.right_bottom() - Vec2::splat(size::SCALE_MARGIN);
     let start = end - vec2(to_f32(length * points_per_unit), 0.0);
     let stroke = Stroke::new(theme::STRONG_LINE, palette.muted);
     painter.line_segment([start, end], stroke);
     for tip in [start, end] {
-        painter.line_segment([tip, tip - vec2(0.0, 5.0)], stroke);
+        painter.line_segment([tip, tip - vec2(0.0, size::SCALE_TICK)], stroke);
     }
     let text = format!("{} {}", number::plain(length), unit.symbol());
     let label = Label {
         text: &text,
-        position: start.lerp(end, 0.5) - vec2(0.0, 12.0),
+        position: start.lerp(end, 0.5) - vec2(0.0, size::SCALE_LABEL_RISE),
         anchor: Align2::CENTER_CENTER,
         frame,
     };
@@ -277,10 +278,14 @@ fn baseline_text(baseline_m: f64, unit: LengthUnit) -> String {
 }
 
 fn camera_body(painter: &Painter, palette: &Palette, lens: Pos2) {
-    let body = Rect::from_center_size(lens + vec2(0.0, 7.0), vec2(15.0, 9.0));
+    let body = Rect::from_center_size(lens + vec2(0.0, size::CAMERA_DROP), vec2(size::CAMERA_WIDTH, size::CAMERA_HEIGHT));
     painter.rect_filled(body, theme::SMALL_MARK_RADIUS, palette.blue);
     painter.add(Shape::convex_polygon(
-        vec![lens - vec2(0.0, 1.0), lens + vec2(4.0, 4.0), lens + vec2(-4.0, 4.0)],
+        vec![
+            lens - vec2(0.0, size::LENS_TIP),
+            lens + vec2(size::LENS_BASE, size::LENS_BASE),
+            lens + vec2(-size::LENS_BASE, size::LENS_BASE),
+        ],
         palette.blue,
         Stroke::NONE,
     ));
@@ -304,7 +309,7 @@ impl Label<'_> {
             (frame.bottom() - rect.bottom()).min(0.0),
         ));
         rect = rect.translate(vec2((frame.left() - rect.left()).max(0.0), (frame.top() - rect.top()).max(0.0)));
-        painter.rect_filled(rect.expand(1.0), theme::SMALL_MARK_RADIUS, palette.surface);
+        painter.rect_filled(rect.expand(size::LABEL_PADDING), theme::SMALL_MARK_RADIUS, palette.surface);
         painter.galley(rect.min, galley, palette.text);
     }
 }
@@ -343,7 +348,7 @@ mod tests {
         let (model, mug) = scene(&Example::CoffeeMug.inputs());
         let inset = mug.inset.unwrap();
         let apart = model.baseline_m.unwrap() * mug.points_per_meter;
-        assert!(apart < f64::from(CLOSE));
+        assert!(apart < f64::from(size::CLOSE_CAMERAS));
         assert!((f64::from(inset.cameras[1].x - inset.cameras[0].x) / apart / inset.factor - 1.0).abs() < 1e-4);
         let mut wide = Example::CoffeeMug.inputs();
         wide.choose_unit(crate::core::problem::Field::Baseline, LengthUnit::Foot);

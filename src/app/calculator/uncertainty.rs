@@ -11,7 +11,7 @@ use crate::core::quantity::{Length, LengthUnit};
 use crate::core::uncertainty::Model;
 use depth_text::assess::Assessment;
 use depth_text::report;
-use egui::{Align2, Color32, Rect, Sense, Ui, pos2, vec2};
+use egui::{Align2, Color32, Rect, Sense, Ui, Vec2, pos2, vec2};
 
 /// Draws per simulation.
 const DRAWS: u32 = 100_000;
@@ -119,14 +119,13 @@ fn color_of(ui: &Ui, field: Field) -> Color32 {
 
 /// One bar, cut into the shares of the variance, over a line for each.
 fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
-    const BAR: f32 = 20.0;
     let palette = theme::palette(ui);
     let Some(uncertainty) = solution.uncertainty(method) else { return };
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), BAR), Sense::hover());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::BUDGET_BAR_HEIGHT), Sense::hover());
     let mut x = rect.left();
     for share in &uncertainty.budget {
         let width = rect.width() * to_f32(share.share);
-        let part = Rect::from_min_size(pos2(x, rect.top()), vec2(width, BAR));
+        let part = Rect::from_min_size(pos2(x, rect.top()), vec2(width, rect.height()));
         ui.painter().rect_filled(part, 0.0, color_of(ui, share.source));
         x += width;
         ui.painter()
@@ -135,9 +134,9 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
     picture::describe(ui, &response, Card::Budget(method).title(), &Description::Budget { uncertainty });
     ui.add_space(theme::STEP);
     for share in uncertainty.budget.iter().filter(|share| share.share > 0.0) {
-        let line = vec2(ui.available_width(), 20.0);
+        let line = vec2(ui.available_width(), theme::LEGEND_HEIGHT);
         ui.allocate_ui_with_layout(line, egui::Layout::left_to_right(egui::Align::Center), |ui| {
-            let (dot, _) = ui.allocate_exact_size(vec2(12.0, 12.0), Sense::hover());
+            let (dot, _) = ui.allocate_exact_size(Vec2::splat(theme::LEGEND_MARK), Sense::hover());
             ui.painter().rect_filled(dot, theme::MARK_RADIUS, color_of(ui, share.source));
             ui.label(format!("{} {}", report::short_name(share.source), report::percent(share.share)));
         });
@@ -185,8 +184,8 @@ fn simulation_ui(ui: &mut Ui, method: Method, simulation: &Simulation, unit: Len
 fn histogram_ui(ui: &mut Ui, method: Method, distribution: &Distribution, unit: LengthUnit) {
     let palette = theme::palette(ui);
     let Some(shape) = &distribution.histogram else { return };
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 120.0), Sense::hover());
-    let plot = rect.with_max_y(rect.bottom() - 18.0);
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::HISTOGRAM_HEIGHT), Sense::hover());
+    let plot = rect.with_max_y(rect.bottom() - theme::HISTOGRAM_LABELS_HEIGHT);
     let most = shape.counts.iter().copied().max().unwrap_or(1).max(1);
     let count = f32::from(u16::try_from(shape.counts.len()).unwrap_or(u16::MAX).max(1));
     let width = plot.width() / count;

@@ -82,7 +82,7 @@ pub fn solution_ui(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
     let words = report::unknown(unknown, unit);
     // Not a live region: the result card says the same.
     ui.put(
-        rect.shrink2(vec2(10.0, 0.0)),
+        rect.shrink2(vec2(theme::SOLVED_INDENT, 0.0)),
         egui::Label::new(RichText::new(words).font(theme::strong(theme::BODY_SIZE))),
     );
     text::caption_ui(ui, Hint::Solved.to_string());

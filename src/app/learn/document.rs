@@ -57,18 +57,16 @@ fn plain(spans: &[Span]) -> String {
     spans.iter().map(|span| span.text).collect()
 }
 
-const BETWEEN_BLOCKS: f32 = 10.0;
-
 fn blocks_ui(ui: &mut Ui, blocks: &[Block], target_height: f32, followed: &mut Option<&'static str>) {
     let palette = theme::palette(ui);
     for (number, block) in blocks.iter().enumerate() {
         match block {
             Block::Heading(level, title) => {
-                let [first, second, third] = theme::READING_HEADING_SIZES;
+                let [first, second, third] = theme::READING_HEADINGS;
                 let (size, before) = match level {
-                    1 => (first, 0.0),
-                    2 => (second, 20.0),
-                    _ => (third, 10.0),
+                    1 => first,
+                    2 => second,
+                    _ => third,
                 };
                 if number > 0 {
                     ui.add_space(before);
@@ -78,20 +76,20 @@ fn blocks_ui(ui: &mut Ui, blocks: &[Block], target_height: f32, followed: &mut O
             }
             Block::Paragraph(spans) => {
                 paragraph_ui(ui, spans, target_height, followed);
-                ui.add_space(BETWEEN_BLOCKS);
+                ui.add_space(theme::READING_BLOCK_GAP);
             }
             Block::Quote(inside) => {
                 quote_ui(ui, inside, target_height, followed);
-                ui.add_space(BETWEEN_BLOCKS);
+                ui.add_space(theme::READING_BLOCK_GAP);
             }
             Block::Formula(lines) => {
                 formula_ui(ui, lines);
-                ui.add_space(BETWEEN_BLOCKS);
+                ui.add_space(theme::READING_BLOCK_GAP);
             }
             Block::List { first, items } => list_ui(ui, *first, items, target_height, followed),
             Block::Table { header, rows } => {
                 table_ui(ui, header, rows);
-                ui.add_space(BETWEEN_BLOCKS);
+                ui.add_space(theme::READING_BLOCK_GAP);
             }
         }
     }
@@ -99,12 +97,7 @@ fn blocks_ui(ui: &mut Ui, blocks: &[Block], target_height: f32, followed: &mut O
 
 fn quote_ui(ui: &mut Ui, inside: &[Block], target_height: f32, followed: &mut Option<&'static str>) {
     let palette = theme::palette(ui);
-    let frame = egui::Frame::new().inner_margin(egui::Margin {
-        left: 14,
-        right: 10,
-        top: 10,
-        bottom: 2,
-    });
+    let frame = egui::Frame::new().inner_margin(theme::QUOTE_MARGIN);
     let response = frame
         .fill(palette.highlight)
         .corner_radius(theme::CONTROL_RADIUS)
@@ -113,7 +106,7 @@ fn quote_ui(ui: &mut Ui, inside: &[Block], target_height: f32, followed: &mut Op
             blocks_ui(ui, inside, target_height, followed);
         })
         .response;
-    let bar = egui::Rect::from_min_size(response.rect.min, vec2(3.0, response.rect.height()));
+    let bar = egui::Rect::from_min_size(response.rect.min, vec2(theme::QUOTE_BAR_WIDTH, response.rect.height()));
     ui.painter().rect_filled(bar, theme::QUOTE_BAR_RADIUS, palette.orange);
 }
 
@@ -122,7 +115,7 @@ fn formula_ui(ui: &mut Ui, lines: &[&str]) {
     egui::Frame::new()
         .fill(palette.highlight)
         .corner_radius(theme::CONTROL_RADIUS)
-        .inner_margin(egui::Margin::symmetric(16, 12))
+        .inner_margin(theme::FORMULA_MARGIN)
         .show(ui, |ui| {
             ui.set_width(ui.available_width());
             for line in lines {
@@ -136,15 +129,14 @@ fn formula_ui(ui: &mut Ui, lines: &[&str]) {
 }
 
 fn list_ui(ui: &mut Ui, first: Option<u64>, items: &[&[Block]], target_height: f32, followed: &mut Option<&'static str>) {
-    const INDENT: f32 = 24.0;
     ui.scope_builder(UiBuilder::new().accessibility_role(Role::List), |ui| {
         for (item, number) in items.iter().zip(first.unwrap_or(0)..) {
             ui.scope_builder(UiBuilder::new().accessibility_role(Role::ListItem), |ui| {
                 ui.horizontal_top(|ui| {
                     ui.spacing_mut().item_spacing.x = 0.0;
                     let mark = if first.is_some() { format!("{number}.") } else { "•".to_owned() };
-                    ui.allocate_ui_with_layout(vec2(INDENT, 0.0), egui::Layout::left_to_right(egui::Align::Min), |ui| {
-                        ui.set_min_width(INDENT);
+                    ui.allocate_ui_with_layout(vec2(theme::LIST_INDENT, 0.0), egui::Layout::left_to_right(egui::Align::Min), |ui| {
+                        ui.set_min_width(theme::LIST_INDENT);
                         ui.label(RichText::new(mark).size(theme::READING_SIZE));
                     });
                     ui.vertical(|ui| {

@@ -1,11 +1,21 @@
 //! Every size and distance that has a name, in points.
 
+use egui::Margin;
+
 /// The step that all distances are multiples of.
 pub const STEP: f32 = 4.0;
 /// Between cards, and from the cards to the edge of the window.
 pub const GAP: f32 = 4.0 * STEP;
 /// [`GAP`] on a phone.
 pub const GAP_PHONE: f32 = 3.0 * STEP;
+/// Between the navigation bar and a screen.
+pub const SCREEN_TOP: i8 = 16;
+/// Above and below the contents of the navigation bar.
+pub const NAVIGATION_MARGIN: i8 = 8;
+/// Above and below the notice.
+pub const NOTICE_MARGIN: i8 = 6;
+/// Above and below the result in the bar at the bottom.
+pub const BAR_RESULT_MARGIN: i8 = 10;
 /// Inside a card.
 pub const CARD_PADDING: i8 = 16;
 /// The corners of a card.
@@ -18,6 +28,18 @@ pub const CONTROL_HEIGHT: f32 = 36.0;
 pub const CONTROL_HEIGHT_TOUCH: f32 = 44.0;
 /// Height of the line with the label of a field.
 pub const LABEL_HEIGHT: f32 = 20.0;
+/// From the heading of a section of the form to its first field.
+pub const FIRST_FIELD_SPACE: f32 = 2.0;
+/// Between the text of a field, its unit, and its σ.
+pub const FIELD_PARTS_GAP: f32 = 6.0;
+/// Inside a field.
+pub const FIELD_MARGIN: Margin = Margin::symmetric(10, 4);
+/// Inside the field for a σ.
+pub const SIGMA_MARGIN: Margin = Margin::symmetric(8, 4);
+/// Left of a unit that cannot be chosen.
+pub const UNIT_INDENT: f32 = 11.0;
+/// Left and right of what stands in place of a field.
+pub const SOLVED_INDENT: f32 = 10.0;
 /// Width of the choice of a unit beside a field.
 pub const UNIT_WIDTH: f32 = 76.0;
 /// Width of the field for a σ.
@@ -28,18 +50,88 @@ pub const FORM_WIDTH: f32 = 372.0;
 pub const FORM_WIDTH_TABLET: f32 = 320.0;
 /// Height of a picture.
 pub const PICTURE_HEIGHT: f32 = 216.0;
+/// From the sides of an empty picture to the hint in it, both sides together.
+pub const EMPTY_PICTURE_MARGINS: f32 = 48.0;
+/// The widest that hint grows.
+pub const EMPTY_PICTURE_TEXT_WIDTH: f32 = 300.0;
+/// The curve of a plot.
+pub const CURVE_LINE: f32 = 2.5;
+/// The radius of the point on a curve that can be moved.
+pub const CURVE_POINT_RADIUS: f32 = 7.0;
+/// From the middle of that point to its label beside it.
+pub const CURVE_LABEL_GAP: f32 = 14.0;
+/// From the middle of that point up to its label.
+pub const CURVE_LABEL_RISE: f32 = 12.0;
+/// Around the text of that label.
+pub const CURVE_LABEL_PADDING: f32 = 2.0;
+/// Height of the bar that is cut into the shares of the variance.
+pub const BUDGET_BAR_HEIGHT: f32 = 20.0;
+/// Height of a line of the legend below it.
+pub const LEGEND_HEIGHT: f32 = 20.0;
+/// The side of a mark in that legend.
+pub const LEGEND_MARK: f32 = 12.0;
+/// Height of a histogram with its labels.
+pub const HISTOGRAM_HEIGHT: f32 = 120.0;
+/// Height of the labels below a histogram.
+pub const HISTOGRAM_LABELS_HEIGHT: f32 = 18.0;
+/// From the number that answers the question to its unit.
+pub const RESULT_UNIT_GAP: f32 = 2.0;
+/// Above and below the text in a cell of a table.
+pub const CELL_PADDING: f32 = 7.0;
+/// Between the columns of a table.
+pub const COLUMN_GAP: f32 = 12.0;
+/// A table narrower than this has small text.
+pub const NARROW_TABLE_WIDTH: f32 = 480.0;
+/// Inside a badge.
+pub const BADGE_MARGIN: Margin = Margin::symmetric(9, 2);
+/// Width of the ring around the focused widget.
+pub const FOCUS_RING_WIDTH: f32 = 2.0;
+/// Around the focused widget when it is scrolled into view.
+pub const FOCUS_SCROLL_MARGIN: f32 = 12.0;
 /// The widest the content grows.
 pub const CONTENT_WIDTH: f32 = 1880.0;
 /// The widest a column of text grows.
 pub const TEXT_WIDTH: f32 = 720.0;
 /// From the edges of the window to the contents of a dialog, both sides together.
 pub const DIALOG_MARGINS: f32 = 72.0;
+/// The widest the list of keys grows.
+pub const KEYS_WIDTH: f32 = 460.0;
+/// The widest a helper grows.
+pub const HELPER_WIDTH: f32 = 440.0;
+/// What of the height of the window the parts of a helper do not get that scroll.
+pub const HELPER_FRAME_HEIGHT: f32 = 180.0;
+/// Width of the choice among the formats of sensors.
+pub const SENSOR_FORMATS_WIDTH: f32 = 200.0;
+/// The widest the dialog About grows.
+pub const ABOUT_WIDTH: f32 = 640.0;
+/// What of the height of the window the text of the licenses does not get.
+#[cfg(not(target_arch = "wasm32"))]
+pub const ABOUT_FRAME_HEIGHT: f32 = 360.0;
+/// The lowest that text gets: a few lines.
+#[cfg(not(target_arch = "wasm32"))]
+pub const LICENSES_MIN_HEIGHT: f32 = 96.0;
 /// The button that closes a dialog.
 pub const DIALOG_BUTTON_WIDTH: f32 = 96.0;
 /// The highest a menu grows: all its choices, where the window allows.
 pub const MENU_HEIGHT: f32 = 440.0;
 /// Inside a menu.
 pub const MENU_MARGIN: i8 = 6;
+
+/// Between blocks of text that is read at length.
+pub const READING_BLOCK_GAP: f32 = 10.0;
+/// Left of the items of a list.
+pub const LIST_INDENT: f32 = 24.0;
+/// Inside a quotation.
+pub const QUOTE_MARGIN: Margin = Margin {
+    left: 14,
+    right: 10,
+    top: 10,
+    bottom: 2,
+};
+/// Width of the bar beside a quotation.
+pub const QUOTE_BAR_WIDTH: f32 = 3.0;
+/// Inside the box of a formula.
+pub const FORMULA_MARGIN: Margin = Margin::symmetric(16, 12);
 
 /// Borders, and lines that only separate.
 pub const THIN_LINE: f32 = 1.0;
@@ -86,5 +178,62 @@ pub const BODY_SIZE: f32 = 14.5;
 pub const READING_SIZE: f32 = 15.5;
 /// Formulas in it.
 pub const READING_FORMULA_SIZE: f32 = 16.0;
-/// Its headings of levels 1, 2, and 3 and below.
-pub const READING_HEADING_SIZES: [f32; 3] = [26.0, 20.0, 16.5];
+/// Its headings of levels 1, 2, and 3 and below: the size of the text, and the space above.
+pub const READING_HEADINGS: [(f32, f32); 3] = [(26.0, 0.0), (20.0, 20.0), (16.5, 10.0)];
+
+/// The picture of the scene from above.
+pub mod top_view {
+    /// Between the edge of the picture, or of its inset, and what is in it.
+    pub const PADDING: f32 = 4.0;
+    /// Below the cameras.
+    pub const BELOW_CAMERAS: f32 = 26.0;
+    /// Above the object.
+    pub const ABOVE_OBJECT: f32 = 22.0;
+    /// Cameras that would be drawn closer together than this are enlarged in an inset.
+    pub const CLOSE_CAMERAS: f32 = 24.0;
+    /// The strokes of a line of sight.
+    pub const DASH: f32 = 4.0;
+    /// Between them.
+    pub const DASH_GAP: f32 = 3.0;
+    /// Half of the width of the span in which the object may be.
+    pub const SPAN_HALF_WIDTH: f32 = 5.0;
+    /// The radius of the object.
+    pub const OBJECT_RADIUS: f32 = 4.5;
+    /// From the object to its label.
+    pub const OBJECT_LABEL_GAP: f32 = 10.0;
+    /// From the bottom of the picture up to the middle of the baseline's label.
+    pub const BASELINE_LABEL_RISE: f32 = 9.0;
+    /// Around the text of a label.
+    pub const LABEL_PADDING: f32 = 1.0;
+
+    /// The width and the height of a camera's body.
+    pub const CAMERA_WIDTH: f32 = 15.0;
+    /// See [`CAMERA_WIDTH`].
+    pub const CAMERA_HEIGHT: f32 = 9.0;
+    /// From the center of projection down to the middle of the body.
+    pub const CAMERA_DROP: f32 = 7.0;
+    /// From the center of projection up to the tip of the lens.
+    pub const LENS_TIP: f32 = 1.0;
+    /// From the center of projection down to the base of the lens, and to both sides of it.
+    pub const LENS_BASE: f32 = 4.0;
+
+    /// The widest the inset grows.
+    pub const INSET_WIDTH: f32 = 132.0;
+    /// Its height.
+    pub const INSET_HEIGHT: f32 = 92.0;
+    /// From its bottom up to the cameras.
+    pub const INSET_CAMERAS_RISE: f32 = 34.0;
+    /// From its top down to the ends of the lines of sight.
+    pub const INSET_SIGHT_DROP: f32 = 20.0;
+    /// From its top down to the middle of its title.
+    pub const INSET_TITLE_DROP: f32 = 10.0;
+    /// From its bottom up to the middle of the baseline's label.
+    pub const INSET_LABEL_RISE: f32 = 11.0;
+
+    /// From the lower right corner of the picture to the bar of the scale.
+    pub const SCALE_MARGIN: f32 = 8.0;
+    /// The ends of that bar.
+    pub const SCALE_TICK: f32 = 5.0;
+    /// From that bar up to the middle of its label.
+    pub const SCALE_LABEL_RISE: f32 = 12.0;
+}

@@ -4,7 +4,7 @@ use super::text;
 use super::unit_choice::length_unit_choice_ui;
 use crate::app::command::{Command, Helper, Scope};
 use crate::app::sentences::Hint;
-use crate::app::theme::{self, SIGMA_WIDTH, UNIT_WIDTH};
+use crate::app::theme::{self, FIELD_PARTS_GAP, SIGMA_WIDTH, UNIT_WIDTH};
 use crate::core::quantity::LengthUnit;
 use depth_text::entry::Entry;
 use depth_text::field::Key as FieldKey;
@@ -13,9 +13,6 @@ use depth_text::reading::Reading;
 use egui::accesskit::Role;
 use egui::text::{CCursor, CCursorRange};
 use egui::{Align, Button, Id, Key, Modifiers, Response, RichText, Sense, Stroke, TextEdit, Ui, vec2};
-
-/// Between the parts of a field.
-const SPACING: f32 = 6.0;
 
 /// A field of the table, with what was typed into it and what is to be said about that.
 pub struct Field<'a> {
@@ -74,7 +71,7 @@ impl Field<'_> {
     pub fn ui(mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         let label = label_ui(ui, self.key, self.helper, commands);
         ui.horizontal(|ui| {
-            ui.spacing_mut().item_spacing.x = SPACING;
+            ui.spacing_mut().item_spacing.x = FIELD_PARTS_GAP;
             self.text_ui(ui, &label, commands);
             self.unit_ui(ui, commands);
             if self.with_sigma {
@@ -105,8 +102,8 @@ impl Field<'_> {
         if ui.memory(|memory| memory.has_focus(self.id)) {
             self.take_keys(ui, commands);
         }
-        let sigma_width = if self.with_sigma { SIGMA_WIDTH + SPACING } else { 0.0 };
-        let width = ui.available_width() - UNIT_WIDTH - SPACING - sigma_width;
+        let sigma_width = if self.with_sigma { SIGMA_WIDTH + FIELD_PARTS_GAP } else { 0.0 };
+        let width = ui.available_width() - UNIT_WIDTH - FIELD_PARTS_GAP - sigma_width;
         let size = vec2(width, ui.spacing().interact_size.y);
         let color = self.note(Part::Value).map(|note| border_color(ui, note));
         let output = ui
@@ -117,7 +114,7 @@ impl Field<'_> {
                     .id(self.id)
                     .hint_text(RichText::new(Hint::Example { key: self.key }.to_string()).color(palette.muted))
                     .align(egui::Align2::RIGHT_CENTER)
-                    .margin(egui::Margin::symmetric(10, 4))
+                    .margin(theme::FIELD_MARGIN)
                     .desired_width(size.x)
                     .min_size(size)
                     .return_key(None)
@@ -203,7 +200,7 @@ impl Field<'_> {
         let stroke = Stroke::new(theme::THIN_LINE, palette.line);
         ui.painter()
             .rect_stroke(rect, theme::CONTROL_RADIUS, stroke, egui::StrokeKind::Inside);
-        let at = rect.left_center() + vec2(11.0, 0.0);
+        let at = rect.left_center() + vec2(theme::UNIT_INDENT, 0.0);
         let font = theme::regular(theme::BODY_SIZE);
         ui.painter().text(at, egui::Align2::LEFT_CENTER, symbol, font, palette.muted);
     }
@@ -226,7 +223,7 @@ impl Field<'_> {
                     .prefix(RichText::new("±").color(palette.muted))
                     .hint_text(RichText::new("none").color(palette.muted))
                     .align(egui::Align2::RIGHT_CENTER)
-                    .margin(egui::Margin::symmetric(8, 4))
+                    .margin(theme::SIGMA_MARGIN)
                     .desired_width(size.x)
                     .min_size(size)
                     .return_key(None)

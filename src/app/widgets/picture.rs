@@ -25,7 +25,7 @@ pub fn empty_ui(ui: &mut Ui, name: &str, hint: &Hint) {
         hint.to_string(),
         theme::regular(theme::SMALL_SIZE),
         palette.muted,
-        (rect.width() - 48.0).min(300.0),
+        (rect.width() - theme::EMPTY_PICTURE_MARGINS).min(theme::EMPTY_PICTURE_TEXT_WIDTH),
     );
     job.halign = egui::Align::Center;
     let galley = ui.painter().layout_job(job);

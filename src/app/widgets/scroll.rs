@@ -1,5 +1,6 @@
 //! Scroll areas that keep the focused widget in view.
 
+use crate::app::theme;
 use egui::{Id, ScrollArea, Ui};
 
 /// A column that scrolls. The focused widget is scrolled into view when it gets the focus, and when the column becomes lower, as when
@@ -27,7 +28,6 @@ struct Before {
 }
 
 fn reveal_focus(ui: &Ui) {
-    const ROOM: f32 = 12.0;
     let visible = ui.clip_rect().y_range();
     let now = Before {
         focused: ui.memory(|memory| memory.focused()),
@@ -42,7 +42,7 @@ fn reveal_focus(ui: &Ui) {
         return;
     };
     let is_inside = response.layer_id == ui.layer_id() && ui.min_rect().contains(response.rect.center());
-    let rect = response.rect.expand(ROOM);
+    let rect = response.rect.expand(theme::FOCUS_SCROLL_MARGIN);
     if is_inside && !(visible.contains(rect.top()) && visible.contains(rect.bottom())) {
         ui.scroll_to_rect(rect, None);
     }

@@ -27,8 +27,6 @@ pub fn table_ui(ui: &mut Ui, name: &str, add_rows: impl FnOnce(&mut Ui)) {
 
 /// A row of `cells`, each with its share of the width, over a thin line.
 pub fn row_ui(ui: &mut Ui, cells: Vec<Cell>, shares: &[f32]) {
-    const PADDING: f32 = 7.0;
-    const BETWEEN: f32 = 12.0;
     let palette = theme::palette(ui);
     let total: f32 = shares.iter().sum();
     let full = ui.available_width();
@@ -37,21 +35,21 @@ pub fn row_ui(ui: &mut Ui, cells: Vec<Cell>, shares: &[f32]) {
     let mut height = 0.0_f32;
     for (mut cell, share) in cells.into_iter().zip(shares) {
         let width = full * share / total;
-        cell.text.wrap.max_width = (width - BETWEEN).max(1.0);
+        cell.text.wrap.max_width = (width - theme::COLUMN_GAP).max(1.0);
         let galley = ui.painter().layout_job(cell.text);
         height = height.max(galley.size().y);
         let left = if cell.align_right {
-            x + width - BETWEEN - galley.size().x
+            x + width - theme::COLUMN_GAP - galley.size().x
         } else {
             x
         };
         placed.push((cell.role, left, galley));
         x += width;
     }
-    let (rect, _) = ui.allocate_exact_size(vec2(full, height + 2.0 * PADDING), Sense::hover());
+    let (rect, _) = ui.allocate_exact_size(vec2(full, height + 2.0 * theme::CELL_PADDING), Sense::hover());
     let mut row = ui.new_child(UiBuilder::new().accessibility_role(Role::Row).max_rect(rect));
     for (role, left, galley) in placed {
-        let place = Rect::from_min_size(pos2(rect.left() + left, rect.top() + PADDING), galley.size());
+        let place = Rect::from_min_size(pos2(rect.left() + left, rect.top() + theme::CELL_PADDING), galley.size());
         row.new_child(UiBuilder::new().accessibility_role(role).max_rect(place))
             .add(Label::new(galley));
     }

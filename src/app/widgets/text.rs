@@ -65,7 +65,7 @@ pub fn badge_ui(ui: &mut Ui, text: &str, front: egui::Color32, back: egui::Color
     egui::Frame::new()
         .fill(back)
         .corner_radius(theme::BADGE_RADIUS)
-        .inner_margin(egui::Margin::symmetric(9, 2))
+        .inner_margin(theme::BADGE_MARGIN)
         .show(ui, |ui| {
             ui.label(RichText::new(text).font(theme::strong(theme::SMALL_SIZE)).color(front))
         })

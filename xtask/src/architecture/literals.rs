@@ -3,10 +3,14 @@
 //! What is looked for outside `src/app/theme`:
 //! - a color that is not a field of a palette: `Color32::from_…` (also of `Rgba` and `Hsva`) with a literal inside, a constant such as
 //!   `Color32::RED` (`TRANSPARENT` and `PLACEHOLDER` are none), and `hex_color!`;
-//! - a number in points as the size of a font (`FontId::new`, `proportional`, `monospace`, `strong`, `regular`, `.size`), the width of
-//!   a line (`Stroke::new`), or a radius (`CornerRadius::same`, `.corner_radius`, and the second argument of `.rect_filled`).
+//! - a number in points in a call that takes a size: of a font (`FontId::new`, `strong`, `.size`), the width of a line (`Stroke::new`), a
+//!   radius (`.corner_radius`, `.circle_filled`), a space or a margin (`.add_space`, `Margin::symmetric`, `Margin { left: 14, … }`), a width,
+//!   a height or both (`vec2`, `.set_width`, `.expand`, `max_width: 640.0`), or a limit of one (`.min`, `.max`);
+//! - a number in points that is assigned to a spacing (`ui.spacing_mut().item_spacing.x = 6.0`) or to a constant (`const GAP: f32 = 6.0`);
+//! - a number in points that is added to something or subtracted from it (`rect.right() - 8.0`).
 //!
-//! Zero is no size. Products of a name (`2.0 * STEP`), and the lengths within one picture, are not looked for.
+//! Zero is no size. A factor (`2.0 * STEP`, `rect.width() * 0.36`) is a ratio, as is whatever is less than 1 where a width, a position or
+//! a vector is expected, and a limit up to 2. The window on the desktop is no part of what is drawn in it.
 
 use proc_macro2::{Delimiter, TokenTree};
 use std::fmt;
@@ -23,20 +27,86 @@ const THEME: &[&str] = &["src/app/theme/palette.rs", "src/app/theme/"];
 const COLORS: &[&str] = &["Color32", "Rgba", "Hsva", "HsvaGamma"];
 /// Constants of `Color32` that are no colors.
 const NO_COLORS: &[&str] = &["TRANSPARENT", "PLACEHOLDER"];
-/// Functions whose first argument is a size in points: the type or module that they are often called by, and the name.
-const SIZED: &[&str] = &[
-    "FontId::new",
-    "FontId::proportional",
-    "FontId::monospace",
-    "Stroke::new",
-    "CornerRadius::same",
-    "strong",
-    "regular",
+/// The size of the window.
+const WINDOW: &str = "src/platform/desktop/placement.rs";
+
+/// Functions with a size in points among their arguments: the type or module that they are often called by, and the name.
+const FUNCTIONS: &[(&str, Sizes)] = &[
+    ("FontId::new", Sizes::at(0)),
+    ("FontId::proportional", Sizes::at(0)),
+    ("FontId::monospace", Sizes::at(0)),
+    ("Stroke::new", Sizes::at(0)),
+    ("CornerRadius::same", Sizes::at(0)),
+    ("strong", Sizes::at(0)),
+    ("regular", Sizes::at(0)),
+    ("Margin::same", Sizes::at(0)),
+    ("Margin::symmetric", Sizes::anywhere()),
+    ("Shape::dashed_line", Sizes::anywhere()),
+    ("vec2", Sizes::anywhere().from(1.0)),
+    ("Vec2::new", Sizes::anywhere().from(1.0)),
+    ("Vec2::splat", Sizes::at(0).from(1.0)),
 ];
-/// Methods whose first argument is a size in points.
-const SIZED_METHODS: &[&str] = &["size", "corner_radius"];
-/// The method whose second argument is a radius.
-const FILLED: &str = "rect_filled";
+/// Methods with a size in points among their arguments.
+const METHODS: &[(&str, Sizes)] = &[
+    ("size", Sizes::at(0)),
+    ("corner_radius", Sizes::at(0)),
+    ("rect_filled", Sizes::at(1)),
+    ("circle", Sizes::at(1)),
+    ("circle_filled", Sizes::at(1)),
+    ("append", Sizes::at(1)),
+    ("add_space", Sizes::at(0)),
+    ("margin", Sizes::at(0)),
+    ("inner_margin", Sizes::at(0)),
+    ("outer_margin", Sizes::at(0)),
+    ("expand", Sizes::at(0)),
+    ("shrink", Sizes::at(0)),
+    ("set_width", Sizes::at(0)),
+    ("set_height", Sizes::at(0)),
+    ("set_min_width", Sizes::at(0)),
+    ("set_max_width", Sizes::at(0)),
+    ("set_min_height", Sizes::at(0)),
+    ("set_max_height", Sizes::at(0)),
+    ("desired_width", Sizes::at(0)),
+    ("min_width", Sizes::at(0)),
+    ("max_width", Sizes::at(0)),
+    ("min_height", Sizes::at(0)),
+    ("max_height", Sizes::at(0)),
+    ("width", Sizes::at(0).from(1.0)),
+    ("height", Sizes::at(0).from(1.0)),
+    ("min", Sizes::at(0).from(2.5)),
+    ("max", Sizes::at(0).from(2.5)),
+];
+/// Types of constants that can be a size in points.
+const SIZE_TYPES: &[&str] = &["f32", "i8"];
+
+/// Which arguments of a call are sizes in points.
+#[derive(Clone, Copy)]
+struct Sizes {
+    /// The number of the argument; each of them where there is none.
+    argument: Option<usize>,
+    /// The smallest number that is no ratio.
+    least: f64,
+}
+
+impl Sizes {
+    const fn at(argument: usize) -> Self {
+        Self {
+            argument: Some(argument),
+            least: f64::MIN_POSITIVE,
+        }
+    }
+
+    const fn anywhere() -> Self {
+        Self {
+            argument: None,
+            least: f64::MIN_POSITIVE,
+        }
+    }
+
+    const fn from(self, least: f64) -> Self {
+        Self { least, ..self }
+    }
+}
 
 /// How many sizes still stand outside the theme. This number only ever goes down.
 const SIZES_LEFT: usize = 0;
@@ -45,8 +115,14 @@ const SIZES_LEFT: usize = 0;
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Literal {
     Color(String),
-    /// In the call of what, and the number.
+    /// In what, and the number.
     Size(String, String),
+}
+
+impl Literal {
+    const fn is_color(&self) -> bool {
+        matches!(self, Self::Color(_))
+    }
 }
 
 impl fmt::Display for Literal {
@@ -75,9 +151,11 @@ pub(super) fn broken(root: &Path) -> Result<Vec<String>, String> {
         .filter(|file| file.extension().is_some_and(|extension| extension == "rs"))
     {
         let name = file.strip_prefix(root).unwrap_or(file).display().to_string().replace('\\', "/");
-        if !THEME.iter().any(|theme| name.starts_with(theme)) {
+        // A module of tests that is a folder has its attribute in another file.
+        if !THEME.iter().any(|theme| name.starts_with(theme)) && !name.contains("/tests/") {
             let literals = in_tokens(&source::read(file)?);
-            found.extend(literals.into_iter().map(|(line, literal)| (name.clone(), line, literal)));
+            let literals = literals.into_iter().filter(|(_, literal)| name != WINDOW || literal.is_color());
+            found.extend(literals.map(|(line, literal)| (name.clone(), line, literal)));
         }
     }
     Ok(sentences(&found, SIZES_LEFT))
@@ -85,12 +163,11 @@ pub(super) fn broken(root: &Path) -> Result<Vec<String>, String> {
 
 /// Every color, and the sizes where they are more than are left.
 fn sentences(found: &[Found], sizes_left: usize) -> Vec<String> {
-    let is_color = |literal: &Literal| matches!(literal, Literal::Color(_));
-    let sizes = found.iter().filter(|(_, _, literal)| !is_color(literal)).count();
+    let sizes = found.iter().filter(|(_, _, literal)| !literal.is_color()).count();
     if sizes < sizes_left {
         println!("Only {sizes} sizes are left outside the theme: let SIZES_LEFT in xtask/src/architecture/literals.rs say so.");
     }
-    let shown = found.iter().filter(|(_, _, literal)| is_color(literal) || sizes > sizes_left);
+    let shown = found.iter().filter(|(_, _, literal)| literal.is_color() || sizes > sizes_left);
     shown.map(|(file, line, literal)| format!("{file}:{line} {literal}")).collect()
 }
 
@@ -101,10 +178,19 @@ fn in_tokens(tokens: &[TokenTree]) -> Vec<(usize, Literal)> {
         match token {
             TokenTree::Group(group) => found.extend(in_tokens(&group.stream().into_iter().collect::<Vec<_>>())),
             TokenTree::Ident(word) => {
-                let literal = color(tokens, at).or_else(|| size(tokens, at));
+                let sized = size_in_call(tokens, at)
+                    .or_else(|| size_in_margin(tokens, at))
+                    .or_else(|| size_in_field(tokens, at))
+                    .or_else(|| size_in_spacing(tokens, at))
+                    .or_else(|| size_in_constant(tokens, at));
+                let literal = color(tokens, at).or(sized);
                 found.extend(literal.map(|literal| (word.span().start().line, literal)));
             }
-            _ => {}
+            TokenTree::Literal(number) => {
+                let literal = size_in_sum(tokens, at);
+                found.extend(literal.map(|literal| (number.span().start().line, literal)));
+            }
+            TokenTree::Punct(_) => {}
         }
     }
     found
@@ -126,26 +212,92 @@ fn color(tokens: &[TokenTree], at: usize) -> Option<Literal> {
 }
 
 /// The size in the call that begins at `at`.
-fn size(tokens: &[TokenTree], at: usize) -> Option<Literal> {
+fn size_in_call(tokens: &[TokenTree], at: usize) -> Option<Literal> {
     let word = ident(tokens.get(at))?.to_string();
     let before = |distance: usize| at.checked_sub(distance).and_then(|at| tokens.get(at));
     let is_method = before(1).is_some_and(|token| is_punct(token, '.'));
     let of = (at >= 3 && is_path_separator(tokens, at - 2)).then(|| ident(before(3))).flatten();
     let called = of.map(|of| format!("{of}::{word}"));
-    let is_function = |name: &&str| !is_method && (*name == word || called.as_deref() == Some(*name));
-    let argument = if is_method && word == FILLED {
-        1
-    } else if is_method && SIZED_METHODS.contains(&word.as_str()) || SIZED.iter().any(is_function) {
-        0
-    } else {
-        return None;
-    };
+    let is_called = |name: &str| name == word || (!is_method && called.as_deref() == Some(name));
+    let calls = if is_method { METHODS } else { FUNCTIONS };
+    let (_, sized) = calls.iter().find(|(name, _)| is_called(name))?;
     let arguments = arguments(tokens, at + 1);
-    let [token] = arguments.get(argument)?.as_slice() else {
-        return None;
+    let number = match sized.argument {
+        Some(argument) => number(arguments.get(argument)?, sized.least),
+        None => arguments.iter().find_map(|argument| number(argument, sized.least)),
     };
-    let number = literal(token).filter(|number| number.parse() != Ok(0.0))?;
-    Some(Literal::Size(called.unwrap_or(word), number))
+    Some(Literal::Size(called.unwrap_or(word), number?))
+}
+
+/// The size in the `Margin { … }` that begins at `at`.
+fn size_in_margin(tokens: &[TokenTree], at: usize) -> Option<Literal> {
+    ident(tokens.get(at)).filter(|word| *word == "Margin")?;
+    let fields = group(tokens.get(at + 1)?, Delimiter::Brace)?
+        .stream()
+        .into_iter()
+        .collect::<Vec<_>>();
+    let number = fields
+        .split(|token| is_punct(token, ','))
+        .find_map(|field| number(field.get(2..)?, f64::MIN_POSITIVE))?;
+    Some(Literal::Size("Margin".to_owned(), number))
+}
+
+/// The size in the field of a struct, named for a width or a height, that begins at `at`.
+fn size_in_field(tokens: &[TokenTree], at: usize) -> Option<Literal> {
+    let name = ident(tokens.get(at))?.to_string();
+    let is_field = tokens.get(at + 1).is_some_and(|token| is_punct(token, ':')) && !is_path_separator(tokens, at + 1);
+    let is_size = name.ends_with("width") || name.ends_with("height");
+    let value = tokens.get(at + 2..)?.split(|token| is_punct(token, ',')).next()?;
+    let number = number(value, f64::MIN_POSITIVE).filter(|_| is_field && is_size)?;
+    Some(Literal::Size(name, number))
+}
+
+/// The size that is assigned in the statement `….spacing_mut().… = …` whose `spacing_mut` stands at `at`.
+fn size_in_spacing(tokens: &[TokenTree], at: usize) -> Option<Literal> {
+    ident(tokens.get(at)).filter(|word| *word == "spacing_mut")?;
+    let statement = tokens.get(at..)?.split(|token| is_punct(token, ';')).next()?;
+    let equals = statement.iter().position(|token| is_punct(token, '='))?;
+    let number = number(statement.get(equals + 1..)?, f64::MIN_POSITIVE)?;
+    Some(Literal::Size("spacing_mut".to_owned(), number))
+}
+
+/// The size that is the value of the constant whose `const` stands at `at`.
+fn size_in_constant(tokens: &[TokenTree], at: usize) -> Option<Literal> {
+    ident(tokens.get(at)).filter(|word| *word == "const")?;
+    let name = ident(tokens.get(at + 1))?.to_string();
+    ident(tokens.get(at + 3)).filter(|word| SIZE_TYPES.iter().any(|size| *word == size))?;
+    tokens.get(at + 4).filter(|token| is_punct(token, '='))?;
+    let value = tokens.get(at + 5..)?.split(|token| is_punct(token, ';')).next()?;
+    Some(Literal::Size(name, number(value, f64::MIN_POSITIVE)?))
+}
+
+/// The size at `at`, if it is a term of a sum or a difference: a number with a decimal point, greater than 1.
+fn size_in_sum(tokens: &[TokenTree], at: usize) -> Option<Literal> {
+    let is_any = |at: usize, marks: &[char]| tokens.get(at).is_some_and(|token| marks.iter().any(|mark| is_punct(token, *mark)));
+    let text = literal(tokens.get(at)?).filter(|text| text.contains('.') && value(text).is_some_and(|value| value > 1.0))?;
+    let before = at.checked_sub(1);
+    // A sign behind nothing, or behind another sign, is that of the number.
+    let is_operand = |at: usize| tokens.get(at).is_some_and(|token| !matches!(token, TokenTree::Punct(_)));
+    let is_second = before.is_some_and(|sign| is_any(sign, &['+', '-']) && sign.checked_sub(1).is_some_and(is_operand));
+    let is_factor = before.is_some_and(|sign| is_any(sign, &['*', '/'])) || is_any(at + 1, &['*', '/']);
+    let is_term = (is_second || is_any(at + 1, &['+', '-'])) && !is_factor;
+    is_term.then(|| Literal::Size("a sum".to_owned(), text))
+}
+
+/// The number that `tokens` are, with or without a sign, if it is at least `least` from zero.
+fn number(tokens: &[TokenTree], least: f64) -> Option<String> {
+    let token = match tokens {
+        [token] => token,
+        [sign, token] if is_punct(sign, '-') => token,
+        _ => return None,
+    };
+    literal(token).filter(|text| value(text).is_some_and(|value| value >= least))
+}
+
+/// The value of a number as Rust writes it.
+fn value(text: &str) -> Option<f64> {
+    let digits = SIZE_TYPES.iter().find_map(|size| text.strip_suffix(size)).unwrap_or(text);
+    digits.replace('_', "").parse().ok()
 }
 
 /// What stands between the commas of the call whose brackets stand at `at`.
@@ -206,20 +358,89 @@ mod tests {
             "regular(13)",
             "egui::Stroke::new(1.5, palette.line)",
             "frame.corner_radius(6)",
-            "painter.rect_filled(rect.expand(2.0), 3.0, palette.surface)",
+            "painter.rect_filled(rect.expand(padding), 3.0, palette.surface)",
+            "painter.circle_filled(at, 4.5, color)",
+            "painter.circle(at, 7.0, fill, stroke)",
+            "Shape::dashed_line(&points, stroke, dash, 3.0)",
+            "job.append(text, 2.0, format)",
+            "ui.add_space(4.0)",
+            "vec2(12.0, height)",
+            "egui::vec2(0.0, -1.0)",
+            "Vec2::splat(12_f32)",
+            "Margin::symmetric(margin, 4)",
+            "egui::Margin { left: 14, right, top: 0, bottom: 0 }",
+            "frame.inner_margin(6)",
+            "ui.set_width(300.0)",
+            "ui.allocate_exact_size(vec2(ui.available_width(), 120.0), Sense::hover())",
+            "line.width(2.5)",
+            "rect.expand(2.0)",
+            "rect.shrink(0.5)",
+            "DialogFrame { id, max_width: 640.0 }",
+            "width.min(300.0)",
+            "rect.right() - 8.0",
+            "14.0 + at.x",
+            "frame.bottom() - 12.0 - height",
+            "x - 5.0..=x",
         ] {
             assert_eq!(found(&format!("fn f() {{ draw({size}); }}")).len(), 1, "{size}");
         }
+    }
+
+    #[test]
+    fn names_ratios_and_zero_are_no_sizes() {
         for none in [
             "theme::strong(theme::BODY_SIZE)",
             "theme::strong(if big { 2.0 } else { 1.0 })",
             "galley.size()",
             "ui.add_space(2.0 * theme::STEP)",
+            "ui.add_space(0.0)",
+            "ui.add_space(theme::STEP)",
+            "vec2(0.0, height)",
+            "vec2(rect.width() * 0.36, -up)",
+            "Vec2::splat(1_000.0 * STEP)",
+            "Margin { left: margin, bottom: 0, ..Margin::ZERO }",
+            "bar.width(0.56)",
+            "rect.expand(3.0 * WIDTH)",
+            "value.max(1.0)",
+            "end(length).min(2.0)",
+            "DialogFrame { id, max_width: theme::ABOUT_WIDTH }",
+            "Rect { width: f32::MAX }",
+            "columns - 2",
+            "x - 0.06",
+            "1.0 - share",
+            "value * (1.0 + 1e-9)",
+            "rect.width() - 2.0 * side",
+            "total / 100.0 - rest",
+            "-2.5",
+            "1.0..=-4.0",
+            "width < 480.0",
             "painter.rect_filled(rect, 0.0, color)",
             "Stroke::new(width, color)",
             "tree.strong(17.0)",
         ] {
             assert_eq!(found(&format!("fn f() {{ draw({none}); }}")), [], "{none}");
+        }
+    }
+
+    #[test]
+    fn sizes_that_are_assigned_are_found() {
+        for size in [
+            "ui.spacing_mut().item_spacing.x = 6.0;",
+            "ui.spacing_mut().item_spacing = vec2(6.0, STEP);",
+            "const GAP: f32 = 6.0;",
+            "const MARGIN: i8 = 6;",
+        ] {
+            assert_eq!(found(&format!("fn f() {{ {size} }}")).len(), 1, "{size}");
+        }
+        for none in [
+            "ui.spacing_mut().item_spacing.x = 0.0;",
+            "ui.spacing_mut().item_spacing.x = gap;",
+            "ui.spacing_mut().item_spacing.x = 2.0 * theme::STEP;",
+            "const COUNT: usize = 6;",
+            "const NAME: &str = \"6.0\";",
+            "const FULL: f32 = 0.0;",
+        ] {
+            assert_eq!(found(&format!("fn f() {{ {none} }}")), [], "{none}");
         }
     }
 

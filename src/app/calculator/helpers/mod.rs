@@ -49,13 +49,14 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: &Solved)
     let frame = DialogFrame {
         id: "helper",
         title: title(helper),
-        max_width: 440.0,
+        max_width: theme::HELPER_WIDTH,
     };
     let cancel = Command::Help(None);
     let response = frame.ui(ui, |ui| {
         ui.spacing_mut().interact_size.y = cx.layout.control_height();
         ui.add_space(2.0 * theme::STEP);
-        scroll::up_to_ui(ui, ui.ctx().content_rect().height() - 180.0, |ui| {
+        let height = ui.ctx().content_rect().height() - theme::HELPER_FRAME_HEIGHT;
+        scroll::up_to_ui(ui, height, |ui| {
             let way = way_choice_ui(ui, helper, &mut cx.settings.ways);
             match way {
                 Some(way) => way_ui(ui, cx, way, solved.of_way(way)),
@@ -176,7 +177,7 @@ fn way_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
 fn sensor_formats_ui(ui: &mut Ui, entry: &mut Entry) {
     ComboBox::from_id_salt("sensor formats")
         .selected_text("Common formats…")
-        .width(200.0)
+        .width(theme::SENSOR_FORMATS_WIDTH)
         .show_ui(ui, |ui| {
             for format in &SENSOR_FORMATS {
                 let name = format!("{}: {} × {} mm", format.name, plain(format.width_mm), plain(format.height_mm));
