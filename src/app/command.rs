@@ -141,8 +141,8 @@ impl Command {
         shortcuts.any(|shortcut| shortcut.keys.take(input))
     }
 
-    /// Whether it belongs to editing: the inputs as they were before it are a step of undo. Not so for looking at something, nor for
-    /// a move of a drag, which goes on.
+    /// Whether the inputs as they are before it are added to the history for undo. Not before commands that only show something, nor
+    /// before a move of a drag, which is part of a longer edit.
     pub const fn is_edit(&self) -> bool {
         !matches!(self, Self::DragDisparity(_) | Self::CopyResults | Self::Show(_) | Self::Theme(_))
     }

@@ -14,13 +14,13 @@ pub struct AppContext<'a> {
     pub egui: &'a egui::Context,
     /// What the width of the window leaves room for.
     pub layout: Layout,
-    /// What is typed, and what follows from it.
+    /// The inputs and their assessment.
     pub session: &'a mut Session,
-    /// What was chosen.
+    /// The settings of the program.
     pub settings: &'a mut Settings,
-    /// The machine, for what it knows; `logic.rs` alone acts on it.
+    /// The platform, to read from; `logic.rs` alone calls what changes something there.
     pub platform: &'a dyn Platform,
-    /// What the person asks for, carried out before the next frame.
+    /// The commands to carry out before the next frame.
     pub commands: &'a mut Vec<Command>,
 }
 

@@ -11,7 +11,7 @@ use egui::{Button, Ui, vec2};
 pub struct Notice {
     /// Its text.
     pub text: NoticeText,
-    /// What can be done about it.
+    /// The command of its button, such as Undo.
     pub action: Option<Command>,
 }
 

@@ -16,7 +16,7 @@ pub enum Screen {
     /// The form and its results.
     #[default]
     Calculator,
-    /// What the numbers mean.
+    /// The formulas, explained.
     Learn,
 }
 
@@ -78,7 +78,7 @@ pub struct Saved {
 /// The version of the stored text. Version 1 is still read, a text of any other is not.
 const VERSION: u32 = 2;
 
-/// What says how to read the rest.
+/// The version of a stored text, which decides how the rest of it is parsed.
 #[derive(Deserialize)]
 struct StoredVersion {
     version: u32,

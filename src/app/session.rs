@@ -1,4 +1,4 @@
-//! What is typed, what follows from it, and the states before, for undo and redo.
+//! The inputs, their assessment, and their history for undo and redo.
 
 use depth_text::assess::Assessment;
 use depth_text::form::Inputs;
@@ -22,7 +22,7 @@ impl Session {
     /// A session that starts with `inputs`.
     pub fn new(inputs: Inputs) -> Self {
         let mut history = Undoer::with_settings(Settings {
-            // The last one is the state as it is.
+            // The newest one is the current state.
             max_undos: STEPS + 1,
             ..Settings::default()
         });
@@ -35,12 +35,12 @@ impl Session {
         }
     }
 
-    /// Everything that followed from the inputs when they were last refreshed.
+    /// The assessment of the inputs at the last [`Self::refresh`].
     pub const fn assessment(&self) -> &Assessment {
         &self.assessment
     }
 
-    /// The inputs to edit, beside the assessment they had when they were last refreshed.
+    /// The inputs to edit, and their assessment at the last [`Self::refresh`].
     pub const fn parts(&mut self) -> (&mut Inputs, &Assessment) {
         (&mut self.inputs, &self.assessment)
     }

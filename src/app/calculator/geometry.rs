@@ -78,7 +78,7 @@ fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry) {
     text::caption_ui(ui, Hint::GroundPlane.to_string());
 }
 
-/// The fields of a card. `card` tells apart a field that is on two of them.
+/// The fields of a card. The card is part of their ids, as a field can be on two cards.
 fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &Geometry, keys: &[Key], card: Card) {
     for &key in keys {
         let field = Field {

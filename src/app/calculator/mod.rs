@@ -36,7 +36,7 @@ pub struct Calculator {
     pub helper: Option<Helper>,
     /// Range, tilt and ground plane.
     geometry: Geometry,
-    /// What comes of what was typed into the open helper.
+    /// The result of the open helper.
     solved: helpers::Solved,
     reveal: Reveal,
     curve: curve::Curve,

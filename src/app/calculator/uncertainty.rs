@@ -69,7 +69,8 @@ impl Simulations {
         };
         let stereo = self.stereo.restart_for(wanted(Method::Stereo));
         let monocular = self.monocular.restart_for(wanted(Method::Monocular));
-        // One step per frame: a restart comes with a changed input, whose frame is long already; then one simulation at a time.
+        // One step per frame. A simulation restarts in a frame in which an input changed, which is long already; otherwise one of the
+        // two simulations advances.
         stereo || monocular || self.stereo.advance() || self.monocular.advance()
     }
 
@@ -106,7 +107,7 @@ pub fn ui(ui: &mut Ui, cx: &AppContext<'_>, simulations: &Simulations) {
     }
 }
 
-/// The color of a source of variance: the two lengths of the formula and the pixels of each method stay apart.
+/// The color of a source of variance. No two sources of one method have the same.
 fn color_of(ui: &Ui, field: Field) -> Color32 {
     let palette = theme::palette(ui);
     match field {

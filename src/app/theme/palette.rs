@@ -94,12 +94,12 @@ pub(super) const DARK: Palette = Palette {
     amber: Color32::from_rgb(0xf0, 0xb4, 0x5a),
 };
 
-/// Where egui keeps the palette that takes the place of both.
+/// The id under which the memory of egui holds the palette that replaces those of both themes.
 fn forced_id() -> Id {
     Id::unique("palette of system colors")
 }
 
-/// Takes `palette` in place of those of both themes, or these again.
+/// Replaces the palettes of both themes by `palette`, or restores them.
 pub(super) fn force(ctx: &egui::Context, palette: Option<&'static Palette>) {
     ctx.data_mut(|data| match palette {
         Some(palette) => _ = data.insert_temp(forced_id(), palette),

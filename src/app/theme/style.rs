@@ -16,7 +16,7 @@ pub fn install(ctx: &Context) {
 
 /// Draws both themes in `colors`, or each in its own.
 pub fn force(ctx: &Context, colors: Option<SystemColors>) {
-    // Leaked, because whoever draws keeps it: some bytes each time that a person chooses other colors.
+    // Leaked, because the memory of egui holds a `'static` reference to it: a few bytes each time that a person chooses other colors.
     let forced = colors.map(|colors| &*Box::leak(Box::new(colors.palette())));
     palette::force(ctx, forced);
     for (theme, palette) in [(Theme::Light, &LIGHT), (Theme::Dark, &DARK)] {

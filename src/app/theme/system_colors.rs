@@ -34,7 +34,7 @@ impl SystemColors {
         })
     }
 
-    /// There are few of them, so what color told apart is left to words, places and lines.
+    /// They are fewer than the colors of a palette, so some things differ only in words, positions and lines.
     pub(super) fn palette(self) -> Palette {
         let Self {
             canvas,

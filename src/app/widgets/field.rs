@@ -123,8 +123,8 @@ impl Field<'_> {
             .inner;
         let response = output.response.response.labelled_by(label.id);
         ui.accesskit_node_builder(self.id, |node| {
-            // A text field to egui, as a unit may be typed; a number to assistive technology and to the keyboards of phones, of which
-            // some have no minus.
+            // egui has only text fields, and a unit may be typed. The role tells assistive technology that it is a number, and opens the
+            // number keyboard of a phone; some of these have no minus.
             if !self.key.signed {
                 node.set_role(Role::NumberInput);
             }

@@ -10,7 +10,7 @@ use crate::app::{Event, Licenses, Place, Platform, PlatformError, SystemColors};
 /// The key in local storage. The number is the version of the format; one origin may serve several programs.
 pub(super) const STORAGE_KEY: &str = "depth-calculator/v1";
 
-/// What has happened and the program has not taken yet. Clones share it, as the browser tells each listener on its own.
+/// The events that the program has not handled yet. Clones share one list, as each listener of the browser has a clone of its own.
 #[derive(Clone)]
 pub(super) struct Inbox {
     events: Rc<RefCell<Vec<Event>>>,
@@ -18,7 +18,7 @@ pub(super) struct Inbox {
 }
 
 impl Inbox {
-    /// An empty inbox that wakes the program of `ctx`.
+    /// An empty inbox, which requests a repaint of `ctx` for each event.
     pub(super) fn new(ctx: &egui::Context) -> Self {
         Self {
             events: Rc::default(),
@@ -26,7 +26,7 @@ impl Inbox {
         }
     }
 
-    /// Adds `event` and wakes the program.
+    /// Adds `event` and requests a repaint.
     pub(super) fn add(&self, event: Event) {
         self.events.borrow_mut().push(event);
         self.ctx.request_repaint();
@@ -39,7 +39,7 @@ pub(super) struct Browser {
 }
 
 impl Browser {
-    /// The browser, which tells what happens through `inbox`.
+    /// The browser, whose events are read from `inbox`.
     pub(super) const fn new(inbox: Inbox) -> Self {
         Self { inbox }
     }
@@ -149,7 +149,7 @@ pub(super) fn link() -> Option<String> {
     Some(fragment)
 }
 
-/// The colors that the person has chosen for everything on the screen, read from an element that has them for a moment.
+/// The system colors, where the browser uses forced colors; read from the computed style of a temporary element.
 pub(super) fn system_colors() -> Option<SystemColors> {
     if !super::page::matches("(forced-colors: active)") {
         return None;
@@ -159,7 +159,7 @@ pub(super) fn system_colors() -> Option<SystemColors> {
     let probe: web_sys::HtmlElement = document.create_element("span").ok()?.dyn_into().ok()?;
     document.body()?.append_child(&probe).ok()?;
     let color = |name: &str| {
-        // Else it would have the color of the text.
+        // With `forced-color-adjust: auto` the computed color would be that of the text.
         probe.style().set_css_text(&format!("forced-color-adjust:none;color:{name}"));
         let style = window.get_computed_style(&probe).ok()??;
         style.get_property_value("color").ok()

@@ -1,4 +1,4 @@
-//! Listens to what the browser says and eframe does not hear, as long as the page lives.
+//! Listens to events of the browser that eframe does not handle, as long as the page is open.
 
 use wasm_bindgen::JsCast as _;
 use wasm_bindgen::closure::Closure;
@@ -7,7 +7,7 @@ use super::browser::{self, Inbox};
 use super::page;
 use crate::app::Event;
 
-/// Puts into `inbox` what happens, and what holds at the start: a link that was followed here, chosen colors.
+/// Adds the events of the browser to `inbox`, and at once the link with which the page was opened and the forced colors.
 pub(super) fn listen(ctx: &egui::Context, inbox: &Inbox) {
     let Some(window) = web_sys::window() else { return };
     listen_to_links(&window, inbox);
@@ -30,7 +30,7 @@ fn listen_to_links(window: &web_sys::Window, inbox: &Inbox) {
     on(window, "hashchange", move |_| add());
 }
 
-/// The browser tells only of what other tabs store.
+/// Browsers send the event `storage` only to the other tabs.
 fn listen_to_storage(window: &web_sys::Window, inbox: &Inbox) {
     let inbox = inbox.clone();
     on(window, "storage", move |event| {
@@ -44,7 +44,7 @@ fn listen_to_storage(window: &web_sys::Window, inbox: &Inbox) {
 
 fn listen_to_colors(window: &web_sys::Window, inbox: &Inbox) {
     inbox.add(Event::Colors(browser::system_colors()));
-    // Another set of chosen colors is dark or light as well, and some browsers tell only of that.
+    // Other forced colors can be dark or light as well, and some browsers send only that event.
     for query in ["(forced-colors: active)", "(prefers-color-scheme: dark)"] {
         if let Ok(Some(query)) = window.match_media(query) {
             let inbox = inbox.clone();
@@ -53,7 +53,7 @@ fn listen_to_colors(window: &web_sys::Window, inbox: &Inbox) {
     }
 }
 
-/// Nothing moves by itself while the person has asked for that.
+/// Switches animations off while the person prefers reduced motion.
 fn follow_reduced_motion(window: &web_sys::Window, ctx: &egui::Context) {
     const REDUCED: &str = "(prefers-reduced-motion: reduce)";
     let (ctx, usual) = (ctx.clone(), ctx.style_of(egui::Theme::Light));

@@ -86,7 +86,7 @@ fn chosen(helper: Helper, made: &Ways) -> (&'static str, &'static str) {
     same.or(choices.first()).copied().unwrap_or_default()
 }
 
-/// What comes of what was typed into a helper, worked out before it is drawn.
+/// The result of the way that is chosen in the open helper. The logic computes it before the frame is drawn.
 #[derive(Debug, Default)]
 pub struct Solved {
     /// The key of the way that was chosen.
@@ -97,7 +97,7 @@ pub struct Solved {
 }
 
 impl Solved {
-    /// What comes of the choice in `helper`.
+    /// Computes the result of the way that is chosen in `helper`.
     pub fn new(helper: Helper, settings: &Settings) -> Self {
         let way = Way::named(ways(helper), chosen(helper, &settings.ways).0);
         let matrix = settings.entries.entry(fields::Q_MATRIX);
@@ -108,7 +108,7 @@ impl Solved {
         }
     }
 
-    /// The result of `way`: nothing where another one was chosen when the frame began.
+    /// The result of `way`; empty where another way was chosen when the frame began.
     fn of_way(&self, way: &Way) -> &WayResult {
         static NOTHING: WayResult = WayResult {
             value: None,
