@@ -19,9 +19,11 @@ pub struct Curve {
 }
 
 /// The camera and the range of the axes. Coordinates on the plot are fractions of the two ends, so that every magnitude can
-/// be drawn.
+/// be drawn. Disparities are those that enter the formula, with doffs in them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Model {
+    /// What of every disparity on the axis is doffs; `None` where there is none.
+    doffs_px: Option<f64>,
     /// The depth at one pixel of disparity, m: fx·b/(1 px).
     depth_at_one_px_m: f64,
     disparity_end_px: f64,
@@ -35,6 +37,7 @@ impl Model {
         let (low, high) = Field::Disparity.usual_range();
         let center = disparity.unwrap_or(Pixels::new((low * high).sqrt()));
         let model = Self {
+            doffs_px: problem.get(Field::Doffs),
             depth_at_one_px_m: problem.depth_at(Pixels::new(1.0))?.m(),
             disparity_end_px: plot::round_up(center.px() * 1.6),
             depth_end_m: plot::round_up(problem.depth_at(center)?.m() * 1.6),
@@ -60,12 +63,22 @@ impl Model {
             .collect()
     }
 
-    /// The disparity at fraction `x` of the axis, rounded to what the picture, `width` points wide, can resolve.
+    /// The disparity, without doffs, at fraction `x` of the axis, rounded to what the picture, `width` points wide, can resolve.
     fn disparity_at(&self, x: f64, width: f32) -> f64 {
         let resolution = 10f64.powf((self.disparity_end_px / f64::from(width.max(1.0))).log10().floor());
-        let disparity = (x.clamp(0.0, 1.0) * self.disparity_end_px).max(resolution);
-        // The number that the field will show.
-        number::rounded_to(disparity, resolution)
+        let with_doffs = (x.clamp(0.0, 1.0) * self.disparity_end_px).max(resolution);
+        let doffs = self.doffs_px.unwrap_or(0.0);
+        // The number that the field will show; rounding may not take it out of the picture.
+        let rounded = number::rounded_to(with_doffs - doffs, resolution);
+        if rounded + doffs > 0.0 { rounded } else { with_doffs - doffs }
+    }
+
+    /// What the horizontal axis counts.
+    const fn axis_label(&self) -> &'static str {
+        match self.doffs_px {
+            Some(_) => "Disparity + doffs (px)",
+            None => "Disparity (px)",
+        }
     }
 }
 
@@ -73,10 +86,7 @@ impl Curve {
     /// Draws the picture; a drag of the point is added to `commands`.
     pub fn ui(&mut self, ui: &mut Ui, solution: &Solution, unit: LengthUnit, commands: &mut Vec<Command>) {
         let problem = &solution.problem;
-        let disparity = problem
-            .disparity
-            .map(|disparity| disparity.value)
-            .filter(|_| solution.stereo.distance().is_some());
+        let disparity = problem.effective_disparity().filter(|_| solution.stereo.distance().is_some());
         let is_pair = problem.focal_length.is_some() && problem.baseline.is_some();
         let held = self.held.filter(|_| is_pair);
         let Some(model) = held.or_else(|| Model::new(problem, disparity)) else {
@@ -85,10 +95,15 @@ impl Curve {
             return;
         };
         let drawn = plot_ui(ui, model, unit);
-        let point = disparity.zip(solution.stereo.distance());
+        let typed = problem.disparity.map(|disparity| disparity.value);
+        let point = typed.zip(solution.stereo.distance());
         picture::describe(ui, &drawn.plot.response, Card::Curve.title(), &Description::Curve { point, unit });
-        if let Some((disparity, distance)) = point {
-            self.point_ui(ui, &drawn, &Point::new(disparity, distance, unit), commands);
+        if let (Some((typed, distance)), Some(disparity)) = (point, disparity) {
+            let point = Point {
+                typed_px: typed.px(),
+                ..Point::new(disparity, distance, unit)
+            };
+            self.point_ui(ui, &drawn, &point, commands);
         }
     }
 
@@ -108,7 +123,7 @@ impl Curve {
         }
         if let Some(x) = wanted(ui, &handle, drawn, point) {
             let moved = model.disparity_at(x, plot.response.rect.width());
-            if moved != point.disparity_px {
+            if moved != point.typed_px {
                 commands.push(Command::DragDisparity(moved));
             }
         }
@@ -130,7 +145,10 @@ struct Drawn {
 
 /// The current point.
 struct Point {
+    /// As it enters the formula.
     disparity_px: f64,
+    /// As it stands in the field, without doffs.
+    typed_px: f64,
     distance_m: f64,
     /// The distance in the unit of the results.
     distance: String,
@@ -140,13 +158,14 @@ impl Point {
     fn new(disparity: Pixels, distance: Length, unit: LengthUnit) -> Self {
         Self {
             disparity_px: disparity.px(),
+            typed_px: disparity.px(),
             distance_m: distance.m(),
             distance: report::length(Some(distance), unit),
         }
     }
 
     fn words(&self) -> String {
-        format!("{} px → {}", number::plain(self.disparity_px), self.distance)
+        format!("{} px → {}", number::plain(self.typed_px), self.distance)
     }
 
     /// Makes a slider of `handle` for assistive technology.
@@ -154,9 +173,10 @@ impl Point {
         ui.accesskit_node_builder(handle.id, |node| {
             node.set_role(Role::Slider);
             node.set_label("Disparity of the point, in pixels");
-            node.set_numeric_value(self.disparity_px);
-            node.set_min_numeric_value(0.0);
-            node.set_max_numeric_value(model.disparity_end_px);
+            let doffs = model.doffs_px.unwrap_or(0.0);
+            node.set_numeric_value(self.typed_px);
+            node.set_min_numeric_value(0.0 - doffs);
+            node.set_max_numeric_value(model.disparity_end_px - doffs);
             node.add_action(Action::SetValue);
             node.set_value(self.words());
             node.add_action(Action::Increment);
@@ -171,7 +191,7 @@ fn wanted(ui: &Ui, handle: &Response, drawn: &Drawn, point: &Point) -> Option<f6
     // All three are read, as reading consumes keys and requests. The keyboard has priority.
     let dragged = handle.dragged().then(|| handle.interact_pointer_pos()).flatten();
     let dragged = dragged.map(|pointer| plot.transform.value_from_position(pointer).x);
-    let set = asked_for(ui, handle).map(|disparity| disparity / model.disparity_end_px);
+    let set = asked_for(ui, handle).map(|disparity| (disparity + model.doffs_px.unwrap_or(0.0)) / model.disparity_end_px);
     let steps = steps(ui, handle);
     let stepped = (steps != 0).then(|| point.disparity_px / model.disparity_end_px + f64::from(steps) / 100.0);
     stepped.or(set).or(dragged)
@@ -249,7 +269,7 @@ fn plot_ui(ui: &mut Ui, model: Model, unit: LengthUnit) -> Drawn {
     let disparity_end = model.disparity_end_px;
     let (x_marks, y_marks) = (plot::marks(disparity_end), plot::marks(depth_end));
     let plot = plot::plot_ui(ui, "curve", 0.0..=1.0)
-        .x_axis_label("Disparity (px)")
+        .x_axis_label(model.axis_label())
         .x_grid_spacer(move |_| x_marks.clone())
         .y_grid_spacer(move |_| y_marks.clone())
         .x_axis_formatter(move |mark, _| number::plain(mark.value * disparity_end))
@@ -299,6 +319,27 @@ mod tests {
         assert_eq!(model.disparity_at(0.6, 350.0), 60.0);
         assert_eq!(model.disparity_at(-3.0, 350.0), 0.1);
         assert!((model.disparity_at(0.333_33, 350.0) - 33.3).abs() < 1e-9);
+    }
+
+    /// 700 px · 0.1 m / (50 px + 40 px): the point lies on the curve, and a drag sets the disparity without doffs.
+    #[test]
+    fn doffs_is_part_of_the_axis_and_not_of_what_is_dragged() {
+        let mut problem = Problem::default();
+        for (field, value) in [
+            (Field::FocalLength, 700.0),
+            (Field::Baseline, 0.1),
+            (Field::Disparity, 50.0),
+            (Field::Doffs, 40.0),
+        ] {
+            problem.set(field, Some(value));
+        }
+        let disparity = problem.effective_disparity().unwrap();
+        let model = Model::new(&problem, Some(disparity)).unwrap();
+        let on_curve = model.depth_at_one_px_m / disparity.px();
+        assert!((on_curve - problem.solve().stereo.distance().unwrap().m()).abs() < 1e-12);
+        let x = disparity.px() / model.disparity_end_px;
+        assert!((model.disparity_at(x, 350.0) - 50.0).abs() < 1.0);
+        assert!(model.disparity_at(0.0, 350.0) + 40.0 > 0.0);
     }
 
     #[test]

@@ -78,7 +78,7 @@ impl Display for Hint {
             Self::QMatrixContents { geometry } => write!(
                 f,
                 "fx {} px, baseline {}, doffs {} px, principal point ({}, {}) px",
-                significant(geometry.focal_length.px(), 7),
+                plain(geometry.focal_length.px()),
                 significant(geometry.baseline, 6),
                 plain(geometry.doffs.px()),
                 significant(geometry.cx.px(), 6),

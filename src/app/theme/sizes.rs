@@ -105,8 +105,10 @@ pub const SENSOR_FORMATS_WIDTH: f32 = 200.0;
 /// The widest the dialog About grows.
 pub const ABOUT_WIDTH: f32 = 640.0;
 /// What of the height of the window the text of the licenses does not get.
+#[cfg(not(target_arch = "wasm32"))]
 pub const ABOUT_FRAME_HEIGHT: f32 = 360.0;
 /// The lowest that text gets: a few lines.
+#[cfg(not(target_arch = "wasm32"))]
 pub const LICENSES_MIN_HEIGHT: f32 = 96.0;
 /// The button that closes a dialog.
 pub const DIALOG_BUTTON_WIDTH: f32 = 96.0;

@@ -384,6 +384,10 @@ mod tests {
         ] {
             assert_eq!(found(&format!("fn f() {{ draw({size}); }}")).len(), 1, "{size}");
         }
+    }
+
+    #[test]
+    fn names_ratios_and_zero_are_no_sizes() {
         for none in [
             "theme::strong(theme::BODY_SIZE)",
             "theme::strong(if big { 2.0 } else { 1.0 })",
