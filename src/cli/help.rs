@@ -8,16 +8,16 @@ Formulas:
 
 Units:
   A length may carry mm, cm, m, in or ft (100mm, 0.1m), or squares of a
-  calibration board (\"1.695 squares of 23.6 mm\"). Bare, --baseline is in mm,
-  the others in m, and an angle is in degrees. An uncertainty is one standard
-  deviation: with a unit, in percent (1%), or bare in the unit of its value.
-  A raw value of OpenCV's StereoBM or StereoSGBM is 16 times the disparity:
-  divide it.
+  calibration board (\"1.695 squares of 23.6 mm\"). Bare, --baseline is in
+  mm, the others in m, and an angle is in degrees. An uncertainty is
+  one standard deviation: with a unit, in percent (1%), or bare in the unit
+  of its value. A raw value of OpenCV's StereoBM or StereoSGBM is 16 times
+  the disparity: divide it.
 
 Answer:
   The first line starts with the distance; with both methods and their
-  uncertainties it is the two combined, unless they disagree. Warnings go to
-  standard error, or with --json into \"warnings\".
+  uncertainties it is the two combined, unless they disagree. Warnings go
+  to standard error, or with --json into \"warnings\".
 
 Examples:
   depth-calculator calculate --fx 700 --baseline 100mm --disparity 50
@@ -40,8 +40,8 @@ Exit status:
 
 /// Of `ground`.
 pub(super) const GROUND: &str = "\
-The ray of a pixel meets a level floor, or the level plane at the height of
-the target. The camera has no roll. Pitch and --angle count downwards.
+The ray of a pixel meets a level floor, or the level plane at the height
+of the target. The camera has no roll. Pitch and --angle count downwards.
 
 Example:
   depth-calculator ground --fx 700 --cx 640 --cy 360 --height 1.2 \\
@@ -50,8 +50,8 @@ Example:
 
 /// Of `q`.
 pub(super) const Q: &str = "\
-The matrix is read from a calibration file of OpenCV (YAML, XML, JSON), from
-what numpy or MATLAB print, or from sixteen numbers.
+The matrix is read from a calibration file of OpenCV (YAML, XML, JSON),
+from what numpy or MATLAB print, or from sixteen numbers.
 
 Example:
   echo '1 0 0 -610 0 1 0 -350 0 0 0 700 0 0 0.01 0.4' |

@@ -30,24 +30,28 @@ pub(super) fn page() -> std::io::Result<String> {
     top.render_synopsis_section(&mut page)?;
     top.render_description_section(&mut page)?;
     commands(&root).to_writer(&mut page)?;
-    for (name, title, more) in [
-        ("calculate", "OPTIONS", help::CALCULATE),
-        ("ground", "OPTIONS OF GROUND", help::GROUND),
-        ("q", "OPTIONS OF Q", help::Q),
-    ] {
-        if let Some(command) = root.find_subcommand(name) {
-            let mut options = Vec::new();
-            Man::new(command.clone()).render_options_section(&mut options)?;
-            let options = String::from_utf8_lossy(&options).replacen(".SH OPTIONS", &format!(".SH \"{title}\""), 1);
-            page.extend_from_slice(options.as_bytes());
-        }
-        sections(more).to_writer(&mut page)?;
+    page.append(&mut of_command(&root, "calculate", help::CALCULATE)?);
+    // What belongs to one of the other commands stands in a section of that command.
+    for (name, more) in [("ground", help::GROUND), ("q", help::Q)] {
+        let sections = of_command(&root, name, more)?;
+        let sections = String::from_utf8_lossy(&sections).replace(".SH ", ".SS ");
+        page.extend_from_slice(format!(".SH {}\n{sections}", name.to_uppercase()).as_bytes());
     }
     sections(&COMPLETIONS_HELP.replace("Examples:", "Completions:")).to_writer(&mut page)?;
     top.render_version_section(&mut page)?;
     let page = String::from_utf8_lossy(&page);
     // Without its quotes the next argument would be taken for an empty date.
     Ok(page.replacen(&format!(".TH {NAME} 1  "), &format!(".TH {NAME} 1 \"\" "), 1))
+}
+
+/// The options of a command, and what its help says below them.
+fn of_command(root: &Command, name: &str, more: &str) -> std::io::Result<Vec<u8>> {
+    let mut page = Vec::new();
+    if let Some(command) = root.find_subcommand(name) {
+        Man::new(command.clone()).render_options_section(&mut page)?;
+    }
+    sections(more).to_writer(&mut page)?;
+    Ok(page)
 }
 
 /// A line for each way to call the program.

@@ -29,8 +29,7 @@ impl Exporter for Text {
         }
         let combined = solution.combined;
         if let Some(combined) = combined {
-            let value = STYLE.with_sigma(combined.value.in_unit(unit), combined.sigma.in_unit(unit));
-            lines.push(format!("{} ({COMBINED})", value.text(unit)));
+            lines.push(format!("{} ({COMBINED})", STYLE.measured(combined, unit)));
             lines.extend(indented(agreement(assessment)));
         }
         for method in Method::ALL {

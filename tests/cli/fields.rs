@@ -5,8 +5,8 @@ use super::{run, run_words};
 use depth_calculator::core::quantity::LengthUnit;
 use depth_text::entry::{Entries, Entry};
 use depth_text::export::{Exporter as _, Results, Text};
-use depth_text::field::{Key, Kind};
-use depth_text::fields::TABLE;
+use depth_text::field::{Key, Kind, Section};
+use depth_text::fields::{FLOOR_ANGLE, FLOOR_ROW, TABLE, TARGET_HEIGHT};
 use depth_text::form::Inputs;
 use depth_text::link;
 use depth_text::reading::{read, read_with_sigma};
@@ -32,6 +32,10 @@ fn numbers() -> impl Iterator<Item = Key> {
 
 /// Something that differs from field to field.
 fn some_number(key: Key) -> String {
+    // Below the camera, so that a ray that goes down meets it.
+    if key == TARGET_HEIGHT {
+        return "1".to_owned();
+    }
     let position = TABLE.iter().position(|&other| other == key).unwrap();
     format!("{}", 20 + position)
 }
@@ -42,6 +46,7 @@ fn filled(key: Key) -> Entry {
         text: some_number(key),
         unit: key.is_length().then_some(LengthUnit::Inch),
         sigma: if key.has_sigma { "1 %".into() } else { String::new() },
+        ..Entry::default()
     }
 }
 
@@ -62,13 +67,13 @@ fn every_field_is_stored_under_its_key() {
     assert_eq!(serde_json::from_value::<Entries>(later).unwrap(), entries);
 }
 
-/// The form with every field filled in.
-fn form() -> Inputs {
+/// The form with every field filled in, but for the one of two that takes the place of the other.
+fn form(left_out: Key) -> Inputs {
     let mut inputs = Inputs {
         with_uncertainty: true,
         ..Inputs::default()
     };
-    for key in Key::form() {
+    for key in Key::form().filter(|&key| key != left_out) {
         *inputs.entry_mut(key) = filled(key);
     }
     inputs
@@ -76,22 +81,30 @@ fn form() -> Inputs {
 
 #[test]
 fn every_field_of_the_form_is_in_its_assessment_its_link_and_its_report() {
-    let inputs = form();
+    for (left_out, other) in [(FLOOR_ANGLE, FLOOR_ROW), (FLOOR_ROW, FLOOR_ANGLE)] {
+        let inputs = form(left_out);
+        assert!(!inputs.entry(other).is_blank());
+        every_field_is_everywhere(&inputs, left_out);
+    }
+}
+
+fn every_field_is_everywhere(inputs: &Inputs, left_out: Key) {
     let assessment = inputs.assess();
-    let fragment = link::fragment(&inputs, &assessment);
+    let fragment = link::fragment(inputs, &assessment);
     let Ok(report) = Text.export(&Results {
-        inputs: &inputs,
+        inputs,
         assessment: &assessment,
         unit: LengthUnit::Meter,
     });
     let mut back = Inputs::default();
     assert!(link::apply(&fragment, &mut back));
-    for key in Key::form() {
+    for key in Key::form().filter(|&key| key != left_out) {
         let reading = assessment.reading(key).unwrap();
         assert_eq!(reading.number_text, some_number(key), "{key:?}");
         assert_eq!(back.entry(key).text, some_number(key), "{key:?} in {fragment}");
         assert_eq!(back.entry(key).unit, inputs.entry(key).unit, "{key:?} in {fragment}");
-        let line = format!("  {}: {} ± 1 %", key.name, reading.text());
+        let sigma = if key.has_sigma { " ± 1 %" } else { "" };
+        let line = format!("  {}: {}{sigma}", key.name, reading.text());
         assert!(report.lines().any(|candidate| candidate == line), "{line:?} is not in\n{report}");
         if let Some(field) = key.input {
             assert_eq!(assessment.solution.problem.get(field), Some(reading.value), "{key:?}");
@@ -102,20 +115,29 @@ fn every_field_of_the_form_is_in_its_assessment_its_link_and_its_report() {
 #[test]
 fn every_field_of_the_form_has_its_options_with_their_help_completion_and_manual() {
     let text = |arguments: &str| String::from_utf8(run(arguments).stdout).unwrap();
-    let (help, completions, manual) = (text("calculate --help"), text("completions bash"), text("man"));
+    let (completions, manual) = (text("completions bash"), text("man"));
     for key in Key::form() {
+        let command = if key.section == Some(Section::Ground) {
+            "ground"
+        } else {
+            "calculate"
+        };
+        let help = text(&format!("{command} --help"));
         let option = key.option.unwrap();
         let placeholder = key.kind.placeholder();
         for (name, placeholder, line) in [
             (option.name.to_owned(), placeholder.to_owned(), option.help),
             (format!("sigma-{}", option.name), format!("{placeholder}|%"), option.sigma_help),
-        ] {
+        ]
+        .into_iter()
+        .take(1 + usize::from(key.has_sigma))
+        {
             let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
             assert!(words(&help).contains(&format!("--{name} <{placeholder}> {line}")), "{name}");
             assert!(completions.contains(&format!("--{name}")), "{name}");
             assert!(manual.contains(&format!("\\-\\-{}", name.replace('-', "\\-"))), "{name}");
         }
-        let refused = run_words(&["calculate", &format!("--{}=1 furlong", option.name)]);
+        let refused = run_words(&[command, &format!("--{}=1 furlong", option.name)]);
         let reason = String::from_utf8(refused.stderr).unwrap();
         let start = format!("depth-calculator: --{}: “furlong” is not a unit known here.", option.name);
         assert!(reason.starts_with(&start), "{reason}");

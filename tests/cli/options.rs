@@ -52,7 +52,7 @@ fn every_refusal_names_the_option_that_was_typed() {
 #[test]
 fn every_warning_names_the_option_that_was_typed() {
     for (option, unusual) in [
-        ("fx", "30000"),
+        ("fx", "300000"),
         ("baseline", "9m"),
         ("disparity", "2000"),
         ("doffs", "2000"),
@@ -141,6 +141,6 @@ fn a_refusal_keeps_the_tip_that_helps() {
 
 #[test]
 fn a_command_that_there_is_not_is_refused_with_those_that_there_are() {
-    assert!(refused("frobnicate").contains("the commands are calculate, completions, man (see --help)"));
-    assert!(refused("calculates").contains("the commands are calculate, completions, man (see --help)"));
+    assert!(refused("frobnicate").contains("the commands are calculate, ground, q, completions, man (see --help)"));
+    assert!(refused("calculates").contains("the commands are calculate, ground, q, completions, man (see --help)"));
 }

@@ -2,7 +2,6 @@
 
 use crate::case::{Case, cases};
 use depth_calculator::core::problem::Method;
-use depth_text::geometry::Geometry;
 use depth_text::note::{Issue, Note, Part, Severity};
 use depth_text::q_matrix;
 use depth_text::sentences::{CommandLine, Statement};
@@ -49,11 +48,6 @@ impl Said {
     fn case(&mut self, case: &Case<'_>) {
         match case.typed_into {
             "form" => self.form(case),
-            "geometry" => {
-                let solution = case.inputs().assess().solution;
-                let geometry = Geometry::assess(&case.entries(), &solution);
-                geometry.notes.iter().for_each(|note| self.note(note));
-            }
             "Q matrix" => match q_matrix::read(case.typed) {
                 Ok(geometry) if geometry.swapped => self.issue("warning", &Issue::QMatrixSwapped),
                 Ok(_) => {}
@@ -82,11 +76,11 @@ impl Said {
         }
         if case.how == "results" {
             let solution = &assessment.solution;
-            if let Some(comparison) = &solution.comparison {
-                self.statement(&Statement::agreement(&comparison.agreement));
-                for suspect in &assessment.suspects() {
-                    self.statement(&Statement::suspect(suspect));
-                }
+            if let Some(statement) = Statement::comparison(solution) {
+                self.statement(&statement);
+            }
+            for suspect in &assessment.suspects() {
+                self.statement(&Statement::suspect(suspect));
             }
             self.statement(&Statement::widths(solution));
             let is_poor = |method| {
@@ -182,6 +176,22 @@ pub fn assert_complete(variants: &BTreeSet<String>, command_line: &str) {
             reason: "No space left on device".into(),
         },
         CommandLine::UnusedDoffs,
+        CommandLine::UnusedTilt,
+        CommandLine::UnusedPoint {
+            options: vec!["cx".into(), "cy".into(), "v".into()],
+        },
+        CommandLine::UnusedDistance,
+        CommandLine::UnusedUnknown,
+        CommandLine::UnusedWithAngle,
+        CommandLine::NoKnownDistance,
+        CommandLine::WhichEquation,
+        CommandLine::NoGround {
+            options: vec!["cy".into(), "pitch".into(), "row".into()],
+        },
+        CommandLine::UnreadableFile {
+            file: "/no/such/file".into(),
+            reason: "No such file or directory".into(),
+        },
         CommandLine::UnusedSigma { option: "w-real".into() },
     ];
     assert_eq!(examples.each_ref().map(variant).as_slice(), CommandLine::NAMES);

@@ -98,13 +98,13 @@ fn combined_ui(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
     };
     text::badge_ui(ui, words, front, back);
     if let Some(combined) = solution.combined {
-        let words = report::with_sigma(combined.value, combined.sigma, unit);
-        number_ui(
-            ui,
-            &words.value,
-            &format!("{} ± {}", unit.symbol(), words.sigma),
-            "Combined distance",
-        );
+        const NAME: &str = "Combined distance";
+        if combined.sigma.m() > 0.0 {
+            let words = report::with_sigma(combined.value, combined.sigma, unit);
+            number_ui(ui, &words.value, &format!("{} ± {}", unit.symbol(), words.sigma), NAME);
+        } else {
+            number_ui(ui, &report::length_number(Some(combined.value), unit), unit.symbol(), NAME);
+        }
         text::caption_ui(ui, Hint::Combined.to_string());
     }
     if let Some(statement) = agreement.filter(|statement| !matches!(statement, Statement::Agree { .. })) {

@@ -127,6 +127,9 @@ impl GroundView {
         let (sin, cos) = sin_cos(pitch.value);
         let (down, forward) = (sin + y.value * cos, cos - y.value * sin);
         let s = h / down;
+        if s.is_infinite() && down != 0.0 {
+            return Err(Unsolvable::too_extreme(Term::Distance));
+        }
         if !(s.is_finite() && s > 0.0) {
             let horizon = self.horizon_row();
             let with_opposite_pitch = h / (y.value * cos - sin);

@@ -134,7 +134,7 @@ impl Problem {
     }
 
     fn solve_method(&self, method: Method) -> Outcome {
-        for field in method.fields().into_iter().chain([method.optional_field()]) {
+        for field in std::iter::once(method.optional_field()).chain(method.fields()) {
             if let Err(refusal) = self.check(field) {
                 return Outcome::Refused { field, refusal };
             }

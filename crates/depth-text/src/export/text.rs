@@ -12,7 +12,7 @@ use crate::number::{exact, significant};
 use crate::reading;
 use crate::report::{
     self, COMBINED, DIGITS, ESTIMATED_WIDTH_PX, ONE_PIXEL, agreement, certainty, estimated_width_name, formula, formula_with_numbers,
-    length, needs, one_pixel_range, point_origin, unknown, with_sigma,
+    length, needs, one_pixel_range, point_origin, unknown,
 };
 use crate::sentences::{Statement, capital, quoted};
 use crate::style::Style;
@@ -135,10 +135,7 @@ fn geometry(geometry: &Geometry, unit: LengthUnit) -> Vec<String> {
 /// What both distances say together.
 fn comparison(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
     let combined = assessment.solution.combined;
-    let combined = combined.map(|combined| {
-        let value = with_sigma(combined.value, combined.sigma, unit).text(unit);
-        format!("{}: {value}", capital(COMBINED))
-    });
+    let combined = combined.map(|combined| format!("{}: {}", capital(COMBINED), STYLE.measured(combined, unit)));
     let agreement = agreement(assessment).into_iter().map(|line| format!("  {line}"));
     combined.into_iter().chain(agreement).collect()
 }

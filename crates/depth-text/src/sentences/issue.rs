@@ -5,7 +5,7 @@ use crate::field::{Key, Kind};
 use crate::fields;
 use crate::names::Named as _;
 use crate::note::Issue;
-use crate::number::{plain, significant};
+use crate::number::{Notation, TYPED_DIGITS, plain, significant};
 use crate::unit::Unit;
 use depth_core::angle::Angle;
 use depth_core::disparity::NoDisparity;
@@ -262,7 +262,7 @@ fn usual(key: Key) -> String {
     let Some((low, high)) = key.usual_range() else {
         return "few are like this".to_owned();
     };
-    let number = |value: f64| plain(value).replace('-', "−");
+    let number = |value: f64| Notation::LONG.plain(value, TYPED_DIGITS).replace('-', "−");
     if !key.is_length() {
         let unit = key.unit_symbol();
         return format!("most lie between {} and {} {unit}", number(low), number(high))
