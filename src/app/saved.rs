@@ -262,12 +262,10 @@ mod tests {
             (saved.settings.result_unit, saved.settings.theme, saved.settings.screen),
             (LengthUnit::Inch, ThemePreference::Dark, Screen::Learn)
         );
-        let typed = [
-            (fields::CX, "640", ""),
-            (fields::CAMERA_PITCH, "10", "0,5"),
-            (fields::LENS, "4", ""),
-            (fields::Q_MATRIX, "1 0 0", ""),
-        ];
+        // Range, tilt and ground plane are part of the form now.
+        assert_eq!(saved.inputs.entry(fields::CX), &Entry::new("640", None));
+        assert_eq!(saved.inputs.entry(fields::CAMERA_PITCH), &sigma(Entry::new("10", None), "0,5"));
+        let typed = [(fields::LENS, "4", ""), (fields::Q_MATRIX, "1 0 0", "")];
         assert_eq!(saved.settings.entries, entries(&typed));
         let ways = [("d".to_owned(), "kitti".to_owned()), ("fx".to_owned(), "sensor-width".to_owned())];
         assert_eq!(saved.settings.ways, Ways::from(ways));

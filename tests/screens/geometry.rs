@@ -1,8 +1,6 @@
 //! Range, tilt and ground plane.
 
-use crate::program::Program;
-use egui::accesskit::Role;
-use egui_kittest::kittest::Queryable as _;
+use crate::program::{D, FX, Program, W_IMG, W_REAL, type_sigma};
 
 #[test]
 fn depth_and_range_differ_away_from_the_middle() {
@@ -11,21 +9,89 @@ fn depth_and_range_differ_away_from_the_middle() {
     program.press("Range, tilt, ground plane");
     for (field, value) in [
         ("Principal point cx", "0"),
+        ("Principal point cy", "0"),
         ("Column of the pixel (u)", "700"),
         ("Row of the pixel (v)", "0"),
     ] {
         program.type_into(field, value);
     }
-    // The row of the principal point is asked for twice, here and for the ground plane: one value.
-    let rows: Vec<_> = program
-        .harness
-        .get_all_by_role_and_label(Role::NumberInput, "Principal point cy")
-        .collect();
-    rows[0].focus();
-    drop(rows);
-    program.harness.run();
-    program.harness.event(egui::Event::Text("0".into()));
-    program.harness.run();
     // 45° off the axis: R = √2 · Z.
     assert!(program.says("1.980 m"), "{}", program.text());
+    assert!(program.says("from the stereo distance"));
+    // And back: 1.98 m by tape.
+    program.type_into("Range by tape (R)", "1.979899");
+    assert!(program.says("from the range"));
+    assert_eq!(
+        program.text().matches("1.400 m").count(),
+        program.text().matches("1.400 m").count().max(2)
+    );
+}
+
+/// The card shows what both distances say together, named, with σ.
+#[test]
+fn the_point_is_at_the_combined_distance_where_there_is_one() {
+    let mut program = Program::new();
+    program.mug();
+    program.type_into(W_IMG, "150");
+    program.type_into(W_REAL, "0.31");
+    program.press("Add uncertainty");
+    type_sigma(&mut program, D, "2");
+    type_sigma(&mut program, W_IMG, "2");
+    program.press("Range, tilt, ground plane");
+    for (field, value) in [
+        ("Principal point cx", "640"),
+        ("Principal point cy", "360"),
+        ("Column of the pixel (u)", "1000"),
+        ("Row of the pixel (v)", "360"),
+    ] {
+        program.type_into(field, value);
+    }
+    for words in ["from the combined distance", "1.442 ± 0.018 m", "1.621 ± 0.021 m"] {
+        assert!(program.says(words), "{words}: {}", program.text());
+    }
+}
+
+/// The units that were dropped once: 120 cm were taken for 120 m.
+#[test]
+fn the_floor_has_units_a_column_and_a_pitch_with_a_sign() {
+    let mut program = Program::new();
+    program.type_into(FX, "700");
+    program.press("Range, tilt, ground plane");
+    for (field, value) in [
+        ("Principal point cx", "640"),
+        ("Principal point cy", "360"),
+        ("Height of the camera", "120 cm"),
+        ("Pitch of the camera, downwards", "10"),
+        ("Row of the point on the floor", "500"),
+    ] {
+        program.type_into(field, value);
+    }
+    assert!(program.says("3.076 m"), "{}", program.text());
+    program.type_into("Column of the point on the floor", "1100");
+    for words in ["3.740 m", "2.128 m", "3.928 m"] {
+        assert!(program.says(words), "{words}: {}", program.text());
+    }
+    program.type_into("Pitch of the camera, downwards", "-45");
+    assert!(program.says("Pitch is counted downwards here"), "{}", program.text());
+    program.press("Use 45");
+    assert!(!program.says("Pitch is counted downwards here"));
+}
+
+#[test]
+fn a_tilt_counts_and_is_named_also_when_its_card_is_hidden() {
+    let mut program = Program::new();
+    program.type_into(FX, "950");
+    program.type_into(W_IMG, "200");
+    program.type_into(W_REAL, "0.9");
+    assert!(program.says("4.275 m"));
+    program.press("Range, tilt, ground plane");
+    program.type_into("Tilt of the target", "60");
+    assert!(
+        program.says("2.138 m") && program.says("without, it would be 4.275 m"),
+        "{}",
+        program.text()
+    );
+    program.press("Hide range, tilt and ground plane");
+    assert!(program.says("2.138 m") && program.says("cos 60°"), "{}", program.text());
+    assert!(program.says("(filled in)"));
 }

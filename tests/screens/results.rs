@@ -13,7 +13,7 @@ fn typing_the_mug_gives_its_distance_without_pressing_anything() {
     program.mug();
     assert!(program.says("1.400 m"), "{}", program.text());
     assert!(program.says("1.373 … 1.429 m"));
-    assert!(program.says("D = 700 px · 0.1 m / 50 px = 1.400 m"));
+    assert!(program.says("D = 700 px · 100 mm / 50 px = 1.400 m"));
 }
 
 #[test]
@@ -29,17 +29,27 @@ fn both_results_are_shown_as_soon_as_both_can_be_had() {
 }
 
 #[test]
-fn the_unit_of_the_result_can_be_chosen_and_the_table_stays_in_meters() {
+fn the_unit_of_the_results_is_that_of_every_result() {
     let mut program = Program::new();
     program.mug();
     program.choose("Unit of the results", "millimeters");
     assert!(program.says("1400 mm"));
     assert!(program.says("1373 … 1429 mm"));
+    assert!(program.says("D = 700 px · 100 mm / 50 px = 1400 mm"));
     let row = program
         .harness
         .get_by_role_and_label(Role::Table, "Key input parameters and outputs");
     let cells: Vec<_> = row.children_recursive().filter_map(|node| node.value()).collect();
-    assert!(cells.iter().any(|cell| cell == "1.400"), "{cells:?}");
+    assert!(cells.iter().any(|cell| cell == "1400"), "{cells:?}");
+    drop(row);
+    program.choose("Unit of the results", "feet");
+    for other in [" m ", " m,", " m.", " meters", "(meters)", " mm "] {
+        let text = program.text().replace("100 mm", "");
+        // In the table the inputs have the units that they were typed in, or would be.
+        let results = text.lines().filter(|line| !matches!(*line, "millimeters" | "meters"));
+        let results = results.collect::<Vec<_>>().join("\n");
+        assert!(!results.contains(other), "{other:?} in {text}");
+    }
 }
 
 #[test]

@@ -140,7 +140,7 @@ table! {
     };
     /// Column of the principal point.
     CX = FieldSpec {
-        key: "cx", name: "Principal point cx", symbol: "cx", noun: "cx", examples: &["640"], signed: true,
+        key: "cx", name: "Principal point cx", symbol: "cx", noun: "cx", examples: &["640"],
         option: Some(CommandOption {
             name: "cx",
             help: "Column of the principal point, about half the width of the image",
@@ -150,7 +150,7 @@ table! {
     };
     /// Row of the principal point.
     CY = FieldSpec {
-        key: "cy", name: "Principal point cy", symbol: "cy", noun: "cy", examples: &["360"], signed: true,
+        key: "cy", name: "Principal point cy", symbol: "cy", noun: "cy", examples: &["360"],
         option: Some(CommandOption {
             name: "cy",
             help: "Row of the principal point, about half the height of the image",
@@ -160,7 +160,7 @@ table! {
     };
     /// Column of the pixel whose range is wanted.
     PIXEL_COLUMN = FieldSpec {
-        key: "u", name: "Column of the pixel (u)", symbol: "u", noun: "the column of the pixel", examples: &["900"], signed: true,
+        key: "u", name: "Column of the pixel (u)", symbol: "u", noun: "the column of the pixel", examples: &["900"],
         option: Some(CommandOption {
             name: "u",
             help: "Column of the pixel, counted from the left",
@@ -170,7 +170,7 @@ table! {
     };
     /// Row of the pixel whose range is wanted.
     PIXEL_ROW = FieldSpec {
-        key: "v", name: "Row of the pixel (v)", symbol: "v", noun: "the row of the pixel", examples: &["500"], signed: true,
+        key: "v", name: "Row of the pixel (v)", symbol: "v", noun: "the row of the pixel", examples: &["500"],
         option: Some(CommandOption {
             name: "v",
             help: "Row of the pixel, counted from the top",
@@ -241,7 +241,7 @@ table! {
     /// Row at which the point on the floor is seen.
     FLOOR_ROW = FieldSpec {
         key: "floor-row", name: "Row of the point on the floor", symbol: "v", noun: "the row of the point", examples: &["500"],
-        signed: true, has_sigma: true,
+        has_sigma: true,
         option: Some(CommandOption {
             name: "row",
             help: "Row at which the point is seen",
@@ -252,7 +252,7 @@ table! {
     /// Column at which the point on the floor is seen.
     FLOOR_COLUMN = FieldSpec {
         key: "floor-column", name: "Column of the point on the floor", symbol: "u", noun: "the column of the point",
-        examples: &["1100"], signed: true,
+        examples: &["1100"],
         hint: "Only to get how far it is to the right; needs cx.",
         option: Some(CommandOption {
             name: "u",

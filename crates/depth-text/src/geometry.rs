@@ -35,18 +35,8 @@ pub enum PointOrigin {
 impl Geometry {
     /// The fields of the point in space.
     pub const POINT: [Key; 6] = [CX, CY, FY, PIXEL_COLUMN, PIXEL_ROW, TAPED_RANGE];
-    /// The fields of the ground plane, with those of the camera that it needs.
-    pub const GROUND: [Key; 9] = [
-        CAMERA_HEIGHT,
-        CAMERA_PITCH,
-        FLOOR_ROW,
-        CY,
-        FY,
-        FLOOR_COLUMN,
-        CX,
-        TARGET_HEIGHT,
-        FLOOR_ANGLE,
-    ];
+    /// The fields of the ground plane. The camera is that of the point.
+    pub const GROUND: [Key; 6] = [CAMERA_HEIGHT, CAMERA_PITCH, FLOOR_ROW, FLOOR_COLUMN, TARGET_HEIGHT, FLOOR_ANGLE];
 
     /// What follows from `readings` and `solution`, and what is wrong with them.
     pub(crate) fn new(readings: &[Reading], solution: &Solution) -> (Self, Option<Note>) {

@@ -1,6 +1,7 @@
 //! The form as it was stored before fields had keys.
 
 use crate::entry::{Entries, Entry};
+use crate::field::{Key, Section};
 use crate::fields;
 use crate::form::Inputs;
 use crate::ways::{DISPARITIES, FOCAL_LENGTHS, Way};
@@ -56,7 +57,8 @@ impl From<StoredInputs> for Inputs {
 pub fn entries(texts: BTreeMap<String, String>) -> Entries {
     let mut entries = Entries::default();
     let labeled = |label: &str| {
-        let mut apart_from_the_form = fields::TABLE.iter().filter(|key| key.section.is_none());
+        let is_in_form = |key: &Key| key.section.is_some_and(|section| Section::FORM.contains(&section));
+        let mut apart_from_the_form = fields::TABLE.iter().filter(|key| !is_in_form(key));
         apart_from_the_form.find(|key| key.name == label).copied()
     };
     for (label, text) in texts {

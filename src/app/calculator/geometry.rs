@@ -10,7 +10,7 @@ use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::text;
 use crate::core::problem::{Method, Problem};
 use crate::core::quantity::Length;
-use depth_text::field::{Key, Section};
+use depth_text::field::Key;
 use depth_text::fields;
 use depth_text::geometry::Geometry;
 use depth_text::report;
@@ -37,7 +37,7 @@ fn card_ui(ui: &mut Ui, cx: &mut AppContext<'_>, card: Card, row: Row) {
 }
 
 fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
-    fields_ui(ui, cx, &Geometry::POINT, Card::Range);
+    fields_ui(ui, cx, &Geometry::POINT);
     if let Some((origin, point)) = cx.session.assessment().geometry.point {
         text::caption_ui(ui, format!("Z {}", report::point_origin(origin)));
         let rows = report::point(Style::WINDOW, &point, cx.unit());
@@ -47,7 +47,7 @@ fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
 }
 
 fn tilt_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
-    fields_ui(ui, cx, &[fields::TILT], Card::Tilt);
+    fields_ui(ui, cx, &[fields::TILT]);
     let solution = &cx.session.assessment().solution;
     if let Some(tilt) = solution.problem.tilt
         && solution.outcome(Method::Monocular).distance().is_some()
@@ -67,7 +67,7 @@ fn distance_facing(problem: &Problem) -> Option<Length> {
 }
 
 fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
-    fields_ui(ui, cx, &Geometry::GROUND, Card::Ground);
+    fields_ui(ui, cx, &Geometry::GROUND);
     if let Some(ground) = &cx.session.assessment().geometry.ground {
         let rows = report::ground(Style::WINDOW, ground, cx.unit());
         super::table::pairs_ui(ui, "Ground plane", &rows);
@@ -75,12 +75,9 @@ fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     text::caption_ui(ui, Hint::GroundPlane.to_string());
 }
 
-fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, keys: &[Key], card: Card) {
+fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, keys: &[Key]) {
     for &key in keys {
         let (inputs, assessment) = cx.session.parts();
-        // The camera of the ground plane is that of the range: its fields are on the screen twice.
-        let is_second = card == Card::Ground && key.section == Some(Section::Point);
-        let id = field::id(key);
         let field = Field {
             key,
             entry: inputs.entry_mut(key),
@@ -88,7 +85,7 @@ fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, keys: &[Key], card: Card) {
             notes: assessment.notes.iter().filter(|note| note.key == key).collect(),
             with_sigma: key.has_sigma,
             helper: None,
-            id: if is_second { id.with("ground") } else { id },
+            id: field::id(key),
             submits: false,
         };
         field.ui(ui, cx.commands);

@@ -121,7 +121,7 @@ impl Display for Hint {
                 "A target turned away by an angle looks narrower by its cosine, so the monocular method puts it too far away. The distance is that to the plane of the target’s middle, along the optical axis.",
             ),
             Self::GroundPlane => f.write_str(
-                "Where the ray of a pixel meets a level floor, or the level plane that the target reaches up to: straight ahead (h − h_target) / tan(θ + atan((v − cy) / fy)). Needs neither a second camera nor a known size; the camera has no roll.",
+                "Where the ray of a pixel meets a level floor, or the level plane that the target reaches up to: straight ahead (h − h_target) / tan(θ + atan((v − cy) / fy)). Needs neither a second camera nor a known size. cx, cy and fy are those of Depth or range; the camera has no roll.",
             ),
             Self::Bias { bias, unit } => write!(
                 f,
