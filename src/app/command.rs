@@ -1,6 +1,7 @@
 //! What a person can ask for. Screens add [`Command`]s to a list, as one click can be two of them (a field is left, a button is
 //! pressed); `logic.rs` is the one place that carries them out, in order.
 
+use super::copyable::Copyable;
 use super::dialog::Dialog;
 use super::saved::Screen;
 use super::sentences::NoticeText;
@@ -42,8 +43,8 @@ pub enum Command {
     Undo,
     /// Go forward again after [`Command::Undo`].
     Redo,
-    /// Put the results on the clipboard.
-    CopyResults,
+    /// Put this on the clipboard.
+    Copy(Copyable),
     /// Replace what was typed, show the calculator, and say this.
     Open(Box<Inputs>, NoticeText),
     /// Fill in what the part of a link behind `#` names, and nothing else.
@@ -78,7 +79,8 @@ impl Command {
             Self::Reset => "Reset",
             Self::Undo => "Undo",
             Self::Redo => "Redo",
-            Self::CopyResults => "Copy Results",
+            Self::Copy(Copyable::Results) => "Copy Results",
+            Self::Copy(Copyable::QMatrix) => "Copy Q matrix",
             Self::ShowDialog(Some(Dialog::Keys)) => "Keys",
             Self::ShowDialog(Some(Dialog::About)) => "About Depth Calculator",
             Self::Help(Some(Helper::FocalLength)) => "from lens, FOV or Q…",
@@ -142,7 +144,7 @@ impl Command {
     /// Whether the inputs as they are before it are added to the history for undo. Not before commands that only show something, nor
     /// before a move of a drag, which is part of a longer edit.
     pub const fn is_edit(&self) -> bool {
-        !matches!(self, Self::DragDisparity(_) | Self::CopyResults | Self::Show(_) | Self::Theme(_))
+        !matches!(self, Self::DragDisparity(_) | Self::Copy(_) | Self::Show(_) | Self::Theme(_))
     }
 
     /// Whether the notice bar stays open. A link that names no field must not close it; one that does opens another.

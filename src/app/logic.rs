@@ -4,6 +4,7 @@
 use super::App;
 use super::command::Command;
 use super::context::AppContext;
+use super::copyable::Copyable;
 use super::notice::Notice;
 use super::platform::Event;
 use super::saved::{Saved, Screen};
@@ -15,7 +16,7 @@ use depth_text::entry::Entry;
 use depth_text::export::{Exporter as _, Results, Text};
 use depth_text::field::Key;
 use depth_text::form::Inputs;
-use depth_text::{fields, link, number};
+use depth_text::{fields, link, number, q_matrix};
 
 impl App {
     /// Runs the logic.
@@ -39,7 +40,7 @@ impl App {
 
     fn handle(&mut self, ctx: &egui::Context, event: Event) {
         match event {
-            Event::Copied(Ok(())) => self.say(NoticeText::Copied, None),
+            Event::Copied(Ok(())) => self.say(NoticeText::Copied(self.copied), None),
             Event::Copied(Err(error)) => self.say(NoticeText::NotCopied(error), None),
             Event::StoredElsewhere => self.say(NoticeText::StoredElsewhere, None),
             Event::Colors(colors) => {
@@ -68,13 +69,11 @@ impl App {
             Command::Follow(fragment) => self.follow(ctx, &fragment),
             Command::Undo => self.undo(),
             Command::Redo => self.redo(),
-            Command::CopyResults => {
-                let Ok(text) = Text.export(&Results {
-                    inputs: &self.session.inputs,
-                    assessment: self.session.assessment(),
-                    unit: self.settings.result_unit,
-                });
-                self.platform.copy(ctx, text);
+            Command::Copy(what) => {
+                self.copied = what;
+                if let Some(text) = self.text_of(what) {
+                    self.platform.copy(ctx, text);
+                }
             }
             Command::Fix(key, entry) => self.fix(ctx, key, entry),
             Command::DragDisparity(disparity) => self.session.inputs.entry_mut(Field::Disparity).text = number::plain(disparity),
@@ -90,6 +89,20 @@ impl App {
         }
         self.session.refresh();
         ctx.request_repaint();
+    }
+
+    fn text_of(&self, what: Copyable) -> Option<String> {
+        match what {
+            Copyable::Results => {
+                let Ok(text) = Text.export(&Results {
+                    inputs: &self.session.inputs,
+                    assessment: self.session.assessment(),
+                    unit: self.settings.result_unit,
+                });
+                Some(text)
+            }
+            Copyable::QMatrix => q_matrix::written(&q_matrix::of_form(self.session.assessment())?),
+        }
     }
 
     fn reset(&mut self) {
@@ -256,7 +269,7 @@ mod tests {
     #[test]
     fn a_link_that_names_nothing_changes_nothing_and_leaves_the_notice() {
         let (_, app) = after(vec![Event::Copied(Ok(())), Event::Link("#section".to_owned())]);
-        assert_eq!(said(&app), Some(&NoticeText::Copied));
+        assert_eq!(said(&app), Some(&NoticeText::Copied(Copyable::Results)));
         assert!(app.session.inputs.is_blank());
     }
 

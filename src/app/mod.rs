@@ -7,6 +7,7 @@ mod about;
 mod calculator;
 mod command;
 mod context;
+mod copyable;
 mod dialog;
 mod learn;
 mod logic;
@@ -24,10 +25,11 @@ mod widgets;
 use crate::core::problem::Field;
 use calculator::Calculator;
 use command::Command;
+pub use copyable::Copyable;
 use dialog::Dialog;
 use egui::Ui;
 use notice::Notice;
-pub use platform::{COPY_RESULTS, Event, Licenses, Platform};
+pub use platform::{Event, Licenses, Platform};
 use saved::{Saved, Screen, Settings};
 use sentences::FreshStart;
 #[cfg(test)]
@@ -50,6 +52,8 @@ pub struct App {
     notice: Option<Notice>,
     /// The dialog over the screen.
     dialog: Option<Dialog>,
+    /// What was put on the clipboard last.
+    copied: Copyable,
     system_colors: Option<SystemColors>,
     /// The commands of the last frame, in order.
     pending: Vec<Command>,
@@ -78,6 +82,7 @@ impl App {
             calculator: Calculator::default(),
             notice: None,
             dialog: None,
+            copied: Copyable::Results,
             system_colors: None,
             pending: Vec::new(),
         };
@@ -96,9 +101,9 @@ impl App {
         }
     }
 
-    /// Puts the results on the clipboard now, for a platform that allows it only while a click is being handled.
-    pub fn copy_results(&mut self, ctx: &egui::Context) {
-        self.carry_out(ctx, Command::CopyResults);
+    /// Puts `what` on the clipboard now, for a platform that allows it only while a click is being handled.
+    pub fn copy(&mut self, ctx: &egui::Context, what: Copyable) {
+        self.carry_out(ctx, Command::Copy(what));
     }
 }
 

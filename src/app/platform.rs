@@ -3,10 +3,6 @@
 use super::sentences::{Place, PlatformError};
 use super::theme::SystemColors;
 
-/// The author id, in the accessibility tree, of the button that calls [`App::copy_results`](super::App::copy_results) while the click is
-/// being handled.
-pub const COPY_RESULTS: &str = "copy results";
-
 /// What the program needs from the machine it runs on.
 pub trait Platform {
     /// The stored state, if there is any.

@@ -44,10 +44,11 @@ impl App {
     /// Queues `commands` for [`Self::update`].
     fn queue(&mut self, ctx: &egui::Context, mut commands: Vec<Command>) {
         // Copying cannot wait: some browsers allow it only while they handle the click, which is when eframe runs this pass.
-        if commands.contains(&Command::CopyResults) {
-            commands.retain(|command| *command != Command::CopyResults);
-            self.copy_results(ctx);
-        }
+        commands.retain(|command| {
+            let Command::Copy(what) = command else { return true };
+            self.copy(ctx, *what);
+            false
+        });
         if !commands.is_empty() {
             self.pending.append(&mut commands);
             ctx.request_repaint();

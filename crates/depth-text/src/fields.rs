@@ -386,6 +386,10 @@ table! {
     /// doffs from a calibration file.
     FILE_DOFFS = FieldSpec { key: "file-doffs", name: "doffs", noun: "doffs", examples: &["131.1"], signed: true, ..PIXELS };
 
+    /// Side of a square of a calibration board.
+    SQUARE_SIZE = FieldSpec {
+        key: "square-size", name: "Size of a square of the board", noun: "the size of a square", examples: &["25"], ..MILLIMETERS
+    };
     /// A Q matrix as pasted.
     Q_MATRIX = FieldSpec { key: "q-matrix", name: "Q matrix", noun: "the Q matrix", kind: Kind::Text, ..BLANK };
 }

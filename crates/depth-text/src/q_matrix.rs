@@ -1,9 +1,12 @@
 //! A Q matrix as people paste it: printed by numpy or MATLAB, written in a program, cut from OpenCV's YAML, XML or JSON, or
 //! sixteen numbers. One scanner takes the numbers behind the name Q; it is no parser of any of these formats.
 
+use crate::assess::Assessment;
+use crate::fields::{CX, CY};
 use crate::note::Issue;
 use crate::number::plain;
 use depth_core::q_matrix::{self, StereoGeometry};
+use depth_core::quantity::Pixels;
 
 /// Reads the Q matrix in `text`. In a whole calibration file it is the entry named Q.
 ///
@@ -224,6 +227,21 @@ fn leading_number(text: &str) -> Option<(f64, &str)> {
 
 fn is_gap(c: char) -> bool {
     c.is_whitespace() || matches!(c, ',' | ';' | '[' | ']' | '(' | ')' | '{' | '}' | '<')
+}
+
+/// What a Q matrix would hold of the form: its baseline in meters. `None` while focal length, baseline or principal point is
+/// missing.
+pub fn of_form(assessment: &Assessment) -> Option<StereoGeometry> {
+    let problem = &assessment.solution.problem;
+    let pixels = |key| assessment.reading(key).map(|reading| Pixels::new(reading.value));
+    Some(StereoGeometry {
+        focal_length: problem.focal_length?.value,
+        baseline: problem.baseline?.value.m(),
+        doffs: problem.offset().value,
+        cx: pixels(CX)?,
+        cy: pixels(CY)?,
+        swapped: false,
+    })
 }
 
 /// The Q matrix of `geometry` as `stereoRectify` makes it, in the notation of numpy, which every reader of Q here takes too.

@@ -47,6 +47,11 @@ impl Unit {
         })
     }
 
+    /// Squares of this size, which is above zero.
+    pub fn square(size: Length) -> Option<Self> {
+        judge::positive(size.m()).is_ok().then_some(Self::Square(size))
+    }
+
     /// The symbol written behind a number; of squares without their size, which [`Display`] has.
     pub const fn symbol(self) -> &'static str {
         match self {
@@ -118,7 +123,7 @@ pub(crate) fn words_after_squares(unit: &str) -> Option<&str> {
 fn square(text: &str) -> Option<Unit> {
     let typed = number::read(text).ok()?;
     let meters = typed.unit.filter(|unit| matches!(unit, Unit::Length(_)))?.to_base(typed.number);
-    judge::positive(meters).is_ok().then_some(Unit::Square(Length::from_m(meters)))
+    Unit::square(Length::from_m(meters))
 }
 
 #[cfg(test)]

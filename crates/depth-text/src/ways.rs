@@ -46,6 +46,8 @@ enum Compute {
 pub struct WayResult {
     /// The result in px; `None` while something is missing or wrong.
     pub value: Option<f64>,
+    /// The horizontal field of view that a focal length means, where the width of the image is asked for.
+    pub view: Option<Angle>,
     /// What could be read of the fields it asks for.
     pub readings: Vec<Reading>,
     /// What is wrong with a field, or, at the first of them, with all of them together.
@@ -71,7 +73,10 @@ impl Way {
             _ => return result,
         };
         match computed {
-            Ok(value) => result.value = Some(value).filter(|value| value.is_finite()),
+            Ok(value) => {
+                result.value = Some(value).filter(|value| value.is_finite());
+                result.view = self.view(&result);
+            }
             Err(issue) => {
                 let key = match issue {
                     Issue::MinDisparityNotWhole => fields::MIN_DISPARITY,
@@ -82,6 +87,14 @@ impl Way {
             }
         }
         result
+    }
+
+    /// The horizontal field of view of the result, where it is a focal length of an image of known width.
+    fn view(&self, result: &WayResult) -> Option<Angle> {
+        let width = result.readings.iter().find(|reading| reading.key == FRAME_WIDTH)?.value;
+        let focal_length = result.value.filter(|_| self.target == FOCAL_LENGTH)?;
+        let px = Pixels::new;
+        Some(camera::field_of_view(px(focal_length), px(width / 2.0), px(width)))
     }
 
     /// What [`target`](Self::target) becomes with the result `value`.

@@ -3,7 +3,7 @@
 use super::unknown;
 use crate::app::command::{Command, Helper};
 use crate::app::context::AppContext;
-use crate::app::platform::COPY_RESULTS;
+use crate::app::copyable::Copyable;
 use crate::app::sentences::NoticeText;
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
@@ -133,10 +133,10 @@ fn buttons_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 2.0 * theme::STEP;
         let width = (ui.available_width() - 2.0 * theme::STEP) / 2.0;
-        for command in [Command::Reset, Command::CopyResults] {
+        for command in [Command::Reset, Command::Copy(Copyable::Results)] {
             let button = ui.add_sized(vec2(width, height), Button::new(command.text()));
-            if command == Command::CopyResults {
-                ui.accesskit_node_builder(button.id, |node| node.set_author_id(COPY_RESULTS));
+            if let Command::Copy(what) = command {
+                ui.accesskit_node_builder(button.id, |node| node.set_author_id(what.author_id()));
             }
             if button.clicked() {
                 cx.commands.push(command);

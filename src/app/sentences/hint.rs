@@ -1,5 +1,6 @@
 //! What helps to enter something, or to understand what is shown.
 
+use crate::core::angle::Angle;
 use crate::core::problem::Method;
 use crate::core::q_matrix::StereoGeometry;
 use crate::core::quantity::{Length, LengthUnit};
@@ -31,6 +32,8 @@ pub enum Hint {
     MethodNeeds { method: Method },
     /// What is still missing of a method that was begun.
     StillNeeds { method: Method, needs: String },
+    /// The field of view that a focal length means.
+    View { view: Angle },
     /// That a baseline may be in squares.
     SquaresOfBoard,
     /// What the button for a Q matrix copies.
@@ -94,8 +97,9 @@ impl Display for Hint {
                 write!(f, "{}: {} needs {first}, {second} and {third}.", method.name(), formula(*method, false))
             }
             Self::StillNeeds { method, needs } => write!(f, "{}: {needs}.", method.name()),
-            Self::SquaresOfBoard => f.write_str("If the calibration was not told the size of its squares, the baseline is in squares:"),
-            Self::QMatrixCopy => f.write_str("The matrix of what is in the form, lengths in meters:"),
+            Self::View { view } => write!(f, "A horizontal field of view of {}°.", significant(view.degrees(), 3)),
+            Self::SquaresOfBoard => f.write_str("Or in squares of the calibration board, if the calibration was not told their size:"),
+            Self::QMatrixCopy => f.write_str("The matrix of the numbers in the form, with the baseline in meters:"),
             Self::TiltIsUsed { without, unit } => write!(
                 f,
                 "The monocular distance has the tilt in it; without, it would be {}.",
@@ -166,6 +170,7 @@ fn spoken_unit(symbol: &str) -> &str {
 mod tests {
     use super::Hint;
     use crate::app::sentences::snapshot::{assert_shown, every};
+    use crate::core::angle::Angle;
     use crate::core::problem::Method;
     use crate::core::q_matrix::StereoGeometry;
     use crate::core::quantity::{Length, LengthUnit, Pixels};
@@ -191,6 +196,7 @@ mod tests {
             Hint::QMatrixUnit { .. } => Hint::QMatrixUnit { baseline: 100.0 },
             Hint::MethodNeeds { .. } => Hint::MethodNeeds { method: Method::Stereo },
             Hint::StillNeeds { .. } => Hint::StillNeeds { method: Method::Stereo, needs: "needs b and d".into() },
+            Hint::View { .. } => Hint::View { view: Angle::from_degrees(54.317) },
             Hint::SquaresOfBoard => Hint::SquaresOfBoard,
             Hint::QMatrixCopy => Hint::QMatrixCopy,
             Hint::TiltIsUsed { .. } => Hint::TiltIsUsed { without: Length::from_m(4.275), unit: LengthUnit::Meter },

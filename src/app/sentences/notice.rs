@@ -1,13 +1,14 @@
 //! What the application says about what just happened: the texts of the notice bar.
 
 use super::platform_error::{Place, PlatformError};
+use crate::app::copyable::Copyable;
 use std::fmt::{self, Display, Formatter};
 
 /// A text of the notice bar, with its facts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NoticeText {
     /// The results are on the clipboard.
-    Copied,
+    Copied(Copyable),
     /// The results could not be copied.
     NotCopied(PlatformError),
     /// Another tab or window has stored something.
@@ -56,7 +57,8 @@ pub enum FreshStart {
 impl Display for NoticeText {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Copied => f.write_str("Results copied to the clipboard."),
+            Self::Copied(Copyable::Results) => f.write_str("Results copied to the clipboard."),
+            Self::Copied(Copyable::QMatrix) => f.write_str("Q matrix copied to the clipboard; its baseline is in meters."),
             Self::NotCopied(error) => error.fmt(f),
             Self::StoredElsewhere => f.write_str(
                 "Another tab changed what is stored. Both go on; what is changed last is what a reload brings back. To keep these numbers, change something here, or copy them.",
@@ -101,6 +103,7 @@ impl Display for FreshStart {
 #[cfg(test)]
 mod tests {
     use super::{FreshStart, NoticeText, Place, PlatformError};
+    use crate::app::copyable::Copyable;
     use crate::app::sentences::snapshot::{assert_shown, every};
 
     #[test]
@@ -110,7 +113,7 @@ mod tests {
         };
         let place = || Place::File("old.json".into());
         let mut notices = every![NoticeText;
-            NoticeText::Copied => NoticeText::Copied,
+            NoticeText::Copied(_) => NoticeText::Copied(Copyable::Results),
             NoticeText::NotCopied(_) => NoticeText::NotCopied(PlatformError::NoClipboard),
             NoticeText::StoredElsewhere => NoticeText::StoredElsewhere,
             NoticeText::Cleared => NoticeText::Cleared,

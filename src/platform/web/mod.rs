@@ -10,7 +10,7 @@ use std::rc::Rc;
 
 use wasm_bindgen::JsCast as _;
 
-use crate::app::{App, COPY_RESULTS};
+use crate::app::{App, Copyable};
 use browser::{Browser, Inbox};
 
 /// Starts the program on `<canvas id="app">` and returns at once; the browser calls it from then on.
@@ -54,7 +54,7 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
                 let ctx = creation.egui_ctx.clone();
                 let options = egui_mirror::Options {
                     is_shortcut,
-                    clicked: Rc::new(move |node| node.author_id() == Some(COPY_RESULTS) && copy_results(&running, &ctx)),
+                    clicked: Rc::new(move |node| Copyable::by_author_id(node.author_id()).is_some_and(|what| copy(&running, &ctx, what))),
                     ..egui_mirror::Options::default()
                 };
                 if let Err(error) = egui_mirror::Mirror::install_with(&creation.egui_ctx, &mirrored, options) {
@@ -75,9 +75,9 @@ fn is_shortcut(key: &str, modifiers: egui::Modifiers) -> bool {
 }
 
 /// Copies while the browser still handles the click. Returns whether the program was free to do it.
-fn copy_results(runner: &eframe::WebRunner, ctx: &egui::Context) -> bool {
+fn copy(runner: &eframe::WebRunner, ctx: &egui::Context, what: Copyable) -> bool {
     let app = runner.app_mut::<App>();
-    app.map(|mut app| app.copy_results(ctx)).is_some()
+    app.map(|mut app| app.copy(ctx, what)).is_some()
 }
 
 fn options() -> eframe::WebOptions {

@@ -6,6 +6,7 @@ use crate::app::command::{Command, Helper};
 use crate::app::context::AppContext;
 use crate::app::dialog::{DialogFrame, close_button_ui};
 use crate::app::saved::{Settings, Ways};
+use crate::app::sentences::Hint;
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::{scroll, text};
@@ -14,8 +15,9 @@ use crate::core::quantity::LengthUnit;
 use depth_text::choices::SENSOR_FORMATS;
 use depth_text::entry::Entry;
 use depth_text::fields;
-use depth_text::note::Issue;
+use depth_text::note::{Issue, Note};
 use depth_text::number::{plain, significant};
+use depth_text::reading::{self, Reading};
 use depth_text::ways::{DISPARITIES, FOCAL_LENGTHS, Way, WayResult};
 use egui::{Button, ComboBox, RichText, Stroke, Ui, vec2};
 
@@ -60,7 +62,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: &Solved)
             let way = way_choice_ui(ui, helper, &mut cx.settings.ways);
             match way {
                 Some(way) => way_ui(ui, cx, way, solved.of_way(way)),
-                None => q_matrix::ui(ui, cx, solved.q_matrix.as_ref()),
+                None => q_matrix::ui(ui, cx, solved.q_matrix.as_ref(), solved.square.as_ref()),
             }
         });
         ui.add_space(theme::STEP);
@@ -94,6 +96,8 @@ pub struct Solved {
     result: WayResult,
     /// `None` where no matrix was typed.
     q_matrix: Option<Result<StereoGeometry, Issue>>,
+    /// The size of a square of the board, where the matrix may be in squares.
+    square: Option<Result<Reading, Note>>,
 }
 
 impl Solved {
@@ -104,6 +108,7 @@ impl Solved {
         Self {
             way: way.map_or("", |way| way.key),
             result: way.map(|way| way.solve(&settings.entries)).unwrap_or_default(),
+            square: reading::read(fields::SQUARE_SIZE, settings.entries.entry(fields::SQUARE_SIZE)).transpose(),
             q_matrix: (way.is_none() && !matrix.is_blank()).then(|| depth_text::q_matrix::read(&matrix.text)),
         }
     }
@@ -112,6 +117,7 @@ impl Solved {
     fn of_way(&self, way: &Way) -> &WayResult {
         static NOTHING: WayResult = WayResult {
             value: None,
+            view: None,
             readings: Vec::new(),
             notes: Vec::new(),
         };
@@ -159,6 +165,9 @@ fn way_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
         if key == fields::SENSOR_WIDTH {
             sensor_formats_ui(ui, cx.settings.entries.entry_mut(key));
         }
+    }
+    if let Some(view) = result.view {
+        text::caption_ui(ui, Hint::View { view }.to_string());
     }
     text::caption_ui(ui, way.remark);
     ui.add_space(theme::STEP);

@@ -2,23 +2,30 @@
 
 use crate::app::command::Command;
 use crate::app::context::AppContext;
+use crate::app::copyable::Copyable;
 use crate::app::sentences::{Hint, NoticeText};
 use crate::app::theme;
+use crate::app::widgets::field::{self, Field as FieldWidget};
 use crate::app::widgets::text;
 use crate::core::problem::Field;
 use crate::core::q_matrix::StereoGeometry;
-use crate::core::quantity::LengthUnit;
+use crate::core::quantity::{Length, LengthUnit};
 use depth_text::entry::Entry;
 use depth_text::fields;
 use depth_text::form::Inputs;
-use depth_text::note::{Issue, Severity};
+use depth_text::note::{Issue, Note, Severity};
 use depth_text::number::{plain, significant};
+use depth_text::reading::Reading;
+use depth_text::unit::Unit;
 use egui::{Button, Id, RichText, TextEdit, Ui, vec2};
+
+/// The size of a square of the board, where one was typed.
+type Square<'a> = Option<&'a Result<Reading, Note>>;
 
 /// Draws a field for the matrix, and for each unit of the baseline a button that fills in the form.
 ///
 /// `read` is what was in the field when the frame began; `None` for nothing.
-pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, read: Option<&Result<StereoGeometry, Issue>>) {
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, read: Option<&Result<StereoGeometry, Issue>>, square: Square<'_>) {
     let palette = theme::palette(ui);
     let name = ui.label(RichText::new("Q matrix").font(theme::strong(theme::BODY_SIZE)).color(palette.text));
     let typed = &mut cx.settings.entries.entry_mut(fields::Q_MATRIX).text;
@@ -33,11 +40,29 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, read: Option<&Result<StereoGeome
     text::caption_ui(ui, Hint::QMatrixForms.to_string());
     ui.add_space(theme::STEP);
     match read {
-        Some(Ok(geometry)) => geometry_ui(ui, cx, geometry, field.id),
+        Some(Ok(geometry)) => {
+            geometry_ui(ui, cx, geometry, field.id);
+            squares_ui(ui, cx, geometry, square);
+        }
         Some(Err(issue)) => {
             text::note_ui(ui, Severity::Error, &issue.to_string(), Some(field.id));
         }
-        None => {}
+        None => copy_ui(ui, cx),
+    }
+}
+
+/// While nothing is typed: the matrix of what is in the form.
+fn copy_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    if depth_text::q_matrix::of_form(cx.session.assessment()).is_none() {
+        return;
+    }
+    ui.label(Hint::QMatrixCopy.to_string());
+    let copy = Command::Copy(Copyable::QMatrix);
+    let height = ui.spacing().interact_size.y;
+    let button = ui.add(Button::new(copy.text()).min_size(vec2(0.0, height)));
+    ui.accesskit_node_builder(button.id, |node| node.set_author_id(Copyable::QMatrix.author_id()));
+    if button.clicked() {
+        cx.commands.push(copy);
     }
 }
 
@@ -66,6 +91,37 @@ fn geometry_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, 
             }
         }
     });
+    ui.add_space(theme::STEP);
+}
+
+/// The baseline in squares of the board, with the size of a square.
+fn squares_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, square: Square<'_>) {
+    let key = fields::SQUARE_SIZE;
+    text::caption_ui(ui, Hint::SquaresOfBoard.to_string());
+    let reading = square.and_then(|read| read.as_ref().ok());
+    let field = FieldWidget {
+        key,
+        reading,
+        notes: square.and_then(|read| read.as_ref().err()).into_iter().collect(),
+        entry: cx.settings.entries.entry_mut(key),
+        with_sigma: false,
+        helper: None,
+        id: field::id(key),
+        submits: false,
+    };
+    field.ui(ui, cx.commands);
+    let height = ui.spacing().interact_size.y;
+    let baseline = significant(geometry.baseline, 6);
+    let square = reading.and_then(|reading| Unit::square(Length::from_m(reading.value)));
+    let label = square.map_or_else(|| format!("{baseline} squares"), |unit| format!("{baseline} {unit}"));
+    let button = Button::new(label).min_size(vec2(0.0, height));
+    if ui.add_enabled(square.is_some(), button).clicked()
+        && let Some(unit) = square
+    {
+        let baseline = Entry::new(format!("{} {unit}", plain(geometry.baseline)), None);
+        let filled = filled_in(&cx.session.inputs, geometry, baseline);
+        cx.commands.push(Command::Open(Box::new(filled), NoticeText::FilledByQMatrix));
+    }
 }
 
 /// `inputs` with what the matrix says, its baseline with a unit.
