@@ -41,7 +41,6 @@ fn the_unit_of_the_results_is_that_of_every_result() {
         .get_by_role_and_label(Role::Table, "Key input parameters and outputs");
     let cells: Vec<_> = row.children_recursive().filter_map(|node| node.value()).collect();
     assert!(cells.iter().any(|cell| cell == "1400"), "{cells:?}");
-    drop(row);
     program.choose("Unit of the results", "feet");
     for other in [" m ", " m,", " m.", " meters", "(meters)", " mm "] {
         let text = program.text().replace("100 mm", "");

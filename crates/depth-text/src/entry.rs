@@ -2,7 +2,6 @@
 
 use crate::field::Key;
 use crate::number;
-use crate::reading::Reading;
 use crate::unit::Unit;
 use depth_core::quantity::LengthUnit;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -41,23 +40,6 @@ impl Entry {
             unit,
             unit_was_typed: false,
             sigma: String::new(),
-        }
-    }
-
-    /// The same number in the unit of `reading`.
-    #[must_use]
-    pub(crate) fn with_unit(self, reading: &Reading) -> Self {
-        match reading.unit {
-            Some(Unit::Length(unit)) if reading.key.is_length() => Self {
-                unit: Some(unit),
-                unit_was_typed: reading.unit_was_typed,
-                ..self
-            },
-            Some(unit) if Some(unit) != reading.key.kind.default_unit() => Self {
-                text: format!("{} {unit}", self.text),
-                ..self
-            },
-            _ => self,
         }
     }
 

@@ -5,8 +5,8 @@ use crate::fields::{
     CAMERA_HEIGHT, CAMERA_PITCH, CX, CY, FLOOR_ANGLE, FLOOR_COLUMN, FLOOR_ROW, FOCAL_LENGTH, FY, PIXEL_COLUMN, PIXEL_ROW, TAPED_RANGE,
     TARGET_HEIGHT,
 };
-use crate::note::{Fix, Issue, Note};
-use crate::reading::Reading;
+use crate::note::{Issue, Note};
+use crate::reading::{Reading, with_opposite_sign};
 use depth_core::angle::Angle;
 use depth_core::camera::{Along, BelowAxis, GroundSolution, GroundView, PointSolution, PointView, RightOfAxis};
 use depth_core::judge::{Term, Unsolvable};
@@ -146,7 +146,7 @@ fn ground_note(camera: &Camera<'_>, error: Unsolvable) -> Note {
     } = error
         && let Some(pitch) = camera.reading(CAMERA_PITCH)
     {
-        let fix = Fix::without_minus(pitch);
+        let fix = with_opposite_sign(pitch);
         return Note::error(CAMERA_PITCH, Issue::PitchCountsDownwards).with_fixes(vec![fix]);
     }
     let place = if camera.reading(FLOOR_ANGLE).is_some() {

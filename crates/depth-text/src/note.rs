@@ -4,7 +4,6 @@
 
 use crate::entry::Entry;
 use crate::field::Key;
-use crate::reading::Reading;
 use crate::unit::Unit;
 use crate::variants::variants;
 use depth_core::angle::Angle;
@@ -112,21 +111,6 @@ pub struct Fix {
 }
 
 impl Fix {
-    /// The number of `reading` with the opposite sign.
-    pub(crate) fn without_minus(reading: &Reading) -> Self {
-        let number = reading.number_text.trim();
-        let number = match number.strip_prefix(['-', '−']) {
-            Some(positive) => positive.to_owned(),
-            None => format!("-{}", number.trim_start_matches('+')),
-        };
-        let unit = reading.unit.filter(|&unit| Some(unit) != reading.key.kind.default_unit());
-        let value = unit.map_or_else(|| number.clone(), |unit| format!("{number} {unit}"));
-        Self {
-            entry: Entry::new(number, None).with_unit(reading),
-            value,
-        }
-    }
-
     /// The text of its button.
     pub fn label(&self) -> String {
         format!("Use {}", self.value)

@@ -4,7 +4,7 @@ use crate::entry::Entry;
 use crate::field::Key;
 use crate::fields;
 use crate::note::{Fix, Issue, Note};
-use crate::reading::Reading;
+use crate::reading::{Reading, with_opposite_sign};
 use depth_core::camera::field_of_view;
 use depth_core::disparity::is_no_match;
 use depth_core::measured::Measured;
@@ -149,7 +149,7 @@ pub(crate) fn refused(key: Key, entry: &Entry, refusal: Refusal, reading: Option
         Refusal::TooExtreme => Issue::TooExtreme { key, text },
     };
     let fixes = if matches!(issue, Issue::NegativeDisparity | Issue::NegativeBaseline) {
-        reading.map(Fix::without_minus).into_iter().collect()
+        reading.map(with_opposite_sign).into_iter().collect()
     } else {
         Vec::new()
     };

@@ -5,8 +5,9 @@
 use crate::entry::Entry;
 use crate::field::{Key, Kind};
 use crate::note::{Fix, Issue, Note};
+use crate::number::words_after_squares;
 use crate::number::{self, NumberError, Typed};
-use crate::unit::{Unit, words_after_squares};
+use crate::unit::Unit;
 
 /// What a field means.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,6 +38,25 @@ impl Reading {
             None => self.number_text.clone(),
         }
     }
+}
+
+/// The correction that gives the number of `reading` the opposite sign and leaves its unit.
+pub(crate) fn with_opposite_sign(reading: &Reading) -> Fix {
+    let number = reading.number_text.trim();
+    let number = match number.strip_prefix(['-', '−']) {
+        Some(positive) => positive.to_owned(),
+        None => format!("-{}", number.trim_start_matches('+')),
+    };
+    let other_unit = reading.unit.filter(|&unit| Some(unit) != reading.key.kind.default_unit());
+    let value = other_unit.map_or_else(|| number.clone(), |unit| format!("{number} {unit}"));
+    let entry = match reading.unit {
+        Some(Unit::Length(unit)) => Entry {
+            unit_was_typed: reading.unit_was_typed,
+            ..Entry::new(number, Some(unit))
+        },
+        _ => Entry::new(value.clone(), None),
+    };
+    Fix { value, entry }
 }
 
 /// Reads the value in `entry` of the field `key`; `None` where nothing was typed. The σ is left to [`read_sigma`].

@@ -25,14 +25,10 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// The unit that `word` names: symbols, English names in singular and plural, the primes of inch and foot, and
-    /// "squares of 25 mm".
+    /// The unit that `word` names: symbols, English names in singular and plural, and the primes of inch and foot. Squares, which
+    /// need their size, are read with the number.
     pub fn named(word: &str) -> Option<Self> {
-        let word = word.to_lowercase();
-        if let Some(size) = words_after_squares(&word) {
-            return square(size);
-        }
-        Some(match word.as_str() {
+        Some(match word.to_lowercase().as_str() {
             "px" | "pixel" | "pixels" => Self::Pixel,
             "mm" | "millimetre" | "millimetres" | "millimeter" | "millimeters" => Self::Length(LengthUnit::Millimeter),
             "cm" | "centimetre" | "centimetres" | "centimeter" | "centimeters" => Self::Length(LengthUnit::Centimeter),
@@ -109,46 +105,5 @@ impl Display for Unit {
             Self::Square(size) => write!(f, "squares of {} mm", number::plain(size.in_unit(LengthUnit::Millimeter))),
             _ => f.write_str(self.symbol()),
         }
-    }
-}
-
-/// What follows "squares" or "squares of"; `None` where `unit` is another unit.
-pub(crate) fn words_after_squares(unit: &str) -> Option<&str> {
-    let rest = unit.strip_prefix("squares").or_else(|| unit.strip_prefix("square"))?;
-    let rest = rest.trim_start();
-    Some(rest.strip_prefix("of").unwrap_or(rest).trim())
-}
-
-/// Squares of the size `text`, which has its unit.
-fn square(text: &str) -> Option<Unit> {
-    let typed = number::read(text).ok()?;
-    let meters = typed.unit.filter(|unit| matches!(unit, Unit::Length(_)))?.to_base(typed.number);
-    Unit::square(Length::from_m(meters))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn squares_of_a_board_have_a_size() {
-        let of = |millimeters| Some(Unit::Square(Length::new(millimeters, LengthUnit::Millimeter)));
-        for (word, unit) in [
-            ("squares of 23.6 mm", of(23.6)),
-            ("square of 1in", of(25.4)),
-            ("squares 25 mm", of(25.0)),
-            ("squares", None),
-            ("squares of", None),
-            ("squares of 25", None),
-            ("squares of 0 mm", None),
-            ("squares of -3 mm", None),
-            ("squares of squares of 3 mm", None),
-        ] {
-            assert_eq!(Unit::named(word), unit, "{word}");
-        }
-        assert_eq!(
-            Unit::named("squares of 23.6 mm").map(|unit| unit.to_string()).as_deref(),
-            Some("squares of 23.6 mm")
-        );
     }
 }

@@ -3,6 +3,7 @@
 //! Asks where it would have to guess: `1,000` is a thousand in London and one in Berlin.
 
 use crate::unit::Unit;
+use depth_core::quantity::Length;
 
 /// A number and the unit typed behind it, if any.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,7 +72,7 @@ pub fn read(text: &str) -> Result<Typed<'_>, NumberError> {
     let number: f64 = format!("{sign}{digits}{exponent}").parse().map_err(|_| NumberError::NotANumber)?;
     let unit = match unit_text {
         "" => None,
-        word => Some(Unit::named(word).ok_or_else(|| NumberError::UnknownUnit(word.to_owned()))?),
+        word => Some(unit(word).ok_or_else(|| NumberError::UnknownUnit(word.to_owned()))?),
     };
     let vanished = number == 0.0 && digits.contains(|c: char| c.is_ascii_digit() && c != '0');
     if !number.is_finite() || vanished {
@@ -83,6 +84,28 @@ pub fn read(text: &str) -> Result<Typed<'_>, NumberError> {
         unit,
         unit_text,
     })
+}
+
+/// The unit that `word` names, or squares of a board with their size.
+fn unit(word: &str) -> Option<Unit> {
+    match words_after_squares(&word.to_lowercase()) {
+        Some(size) => square(size),
+        None => Unit::named(word),
+    }
+}
+
+/// What follows "squares" or "squares of"; `None` where `unit` is another unit.
+pub(crate) fn words_after_squares(unit: &str) -> Option<&str> {
+    let rest = unit.strip_prefix("squares").or_else(|| unit.strip_prefix("square"))?;
+    let rest = rest.trim_start();
+    Some(rest.strip_prefix("of").unwrap_or(rest).trim())
+}
+
+/// Squares of this size, which has its unit.
+fn square(size: &str) -> Option<Unit> {
+    let typed = read(size).ok()?;
+    let meters = typed.unit.filter(|unit| matches!(unit, Unit::Length(_)))?.to_base(typed.number);
+    Unit::square(Length::from_m(meters))
 }
 
 const fn is_minus(c: char) -> bool {
@@ -174,6 +197,28 @@ mod tests {
             Err(NumberError::Ambiguous { readings }) => readings,
             other => panic!("{text:?} should be asked about, was {other:?}"),
         }
+    }
+
+    #[test]
+    fn squares_of_a_board_have_a_size() {
+        let of = |millimeters| Some(Unit::Square(Length::new(millimeters, LengthUnit::Millimeter)));
+        for (word, unit) in [
+            ("squares of 23.6 mm", of(23.6)),
+            ("square of 1in", of(25.4)),
+            ("squares 25 mm", of(25.0)),
+            ("squares", None),
+            ("squares of", None),
+            ("squares of 25", None),
+            ("squares of 0 mm", None),
+            ("squares of -3 mm", None),
+            ("squares of squares of 3 mm", None),
+        ] {
+            assert_eq!(super::unit(word), unit, "{word}");
+        }
+        assert_eq!(
+            super::unit("squares of 23.6 mm").map(|unit| unit.to_string()).as_deref(),
+            Some("squares of 23.6 mm")
+        );
     }
 
     #[test]
