@@ -35,6 +35,9 @@ pub enum NumberError {
     TooExtreme,
 }
 
+/// Nobody types a longer number; to look through a pasted book for one would take longer than a frame.
+const LONGEST: usize = 500;
+
 /// Reads one number, with an optional unit behind it.
 ///
 /// Takes `700`, `1e3`, `0,1`, `0.1`, ` 10 cm`, `4in`, `−3` (Unicode minus). Asks ([`NumberError::Ambiguous`]) for `1,000`
@@ -44,6 +47,9 @@ pub enum NumberError {
 /// See [`NumberError`]. An empty text is [`NumberError::NotANumber`].
 pub fn read(text: &str) -> Result<Typed<'_>, NumberError> {
     let text = text.trim_matches(|c: char| c.is_whitespace() || c == '\u{feff}');
+    if text.len() > LONGEST {
+        return Err(NumberError::NotANumber);
+    }
     let (number_text, unit_text) = split_unit(text);
     let negative = number_text.starts_with(is_minus);
     let unsigned = number_text.strip_prefix(|c| is_minus(c) || c == '+').unwrap_or(number_text);
@@ -196,6 +202,19 @@ mod tests {
         match read(text) {
             Err(NumberError::Ambiguous { readings }) => readings,
             other => panic!("{text:?} should be asked about, was {other:?}"),
+        }
+    }
+
+    #[test]
+    fn a_pasted_book_is_not_searched_for_a_number() {
+        for page in [
+            "1 ".repeat(5000),
+            "7".repeat(10_000),
+            "1,1.1'".repeat(1700),
+            "word ".repeat(2000),
+            " ".repeat(10_000),
+        ] {
+            assert_eq!(read(&page), Err(NumberError::NotANumber));
         }
     }
 
