@@ -41,7 +41,6 @@ impl App {
         match event {
             Event::Copied(Ok(())) => self.say(NoticeText::Copied, None),
             Event::Copied(Err(error)) => self.say(NoticeText::NotCopied(error), None),
-            Event::StoredElsewhere => self.say(NoticeText::StoredElsewhere, None),
             Event::Colors(colors) => {
                 if colors != self.system_colors {
                     self.system_colors = colors;
@@ -181,6 +180,14 @@ impl App {
         Ok(())
     }
 
+    /// Carries out what is left to do, and saves: the page or the window may be closed now.
+    pub fn finish(&mut self, ctx: &egui::Context) {
+        for command in std::mem::take(&mut self.pending) {
+            self.carry_out(ctx, command);
+        }
+        self.store();
+    }
+
     /// Saves the state if it changed. A failure is shown once for each change.
     fn store(&mut self) {
         if self.is_stored() {
@@ -246,10 +253,8 @@ mod tests {
     }
 
     #[test]
-    fn what_another_tab_stores_is_said_and_what_happens_last_is_said_last() {
-        let (_, app) = after(vec![Event::StoredElsewhere]);
-        assert_eq!(said(&app), Some(&NoticeText::StoredElsewhere));
-        let (_, app) = after(vec![Event::StoredElsewhere, Event::Copied(Err(PlatformError::NoClipboard))]);
+    fn what_happens_last_is_said_last() {
+        let (_, app) = after(vec![Event::Copied(Ok(())), Event::Copied(Err(PlatformError::NoClipboard))]);
         assert_eq!(said(&app), Some(&NoticeText::NotCopied(PlatformError::NoClipboard)));
     }
 

@@ -9,13 +9,13 @@ pub const COPY_RESULTS: &str = "copy results";
 
 /// What the program needs from the machine it runs on.
 pub trait Platform {
-    /// The stored state, if there is any.
+    /// What this tab or window has stored, else what was stored last by any, if there is anything.
     ///
     /// # Errors
     /// Why storage cannot be read.
     fn load(&self) -> Result<Option<String>, PlatformError>;
 
-    /// Stores `text` over what was stored.
+    /// Stores `text` over what this tab or window has stored, and as what a new one starts with.
     ///
     /// # Errors
     /// Why storage cannot be written.
@@ -46,8 +46,6 @@ pub trait Platform {
 pub enum Event {
     /// The outcome of a [`Platform::copy`].
     Copied(Result<(), PlatformError>),
-    /// Another tab or window has stored something.
-    StoredElsewhere,
     /// The person has chosen these colors for everything on the screen, or none any more.
     Colors(Option<SystemColors>),
     /// A link to the program was followed: the part behind its `#`.
