@@ -231,6 +231,9 @@ mod tests {
         fn events(&mut self) -> Vec<Event> {
             std::mem::take(&mut self.0)
         }
+        fn seconds(&self) -> f64 {
+            0.0
+        }
         fn commit(&self) -> Option<String> {
             None
         }

@@ -34,6 +34,9 @@ pub trait Platform {
     /// The events since the last call, in order. The implementation requests a repaint for each.
     fn events(&mut self) -> Vec<Event>;
 
+    /// A clock, in seconds from some moment on.
+    fn seconds(&self) -> f64;
+
     /// The commit that the program was built from, where that is known.
     fn commit(&self) -> Option<String>;
 

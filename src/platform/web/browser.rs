@@ -103,6 +103,12 @@ impl Platform for Browser {
         self.inbox.events.take()
     }
 
+    fn seconds(&self) -> f64 {
+        let performance = web_sys::window().and_then(|window| window.performance());
+        // Without a clock simulations take a frame as long as they like, once.
+        performance.map_or(0.0, |performance| performance.now() / 1000.0)
+    }
+
     fn commit(&self) -> Option<String> {
         let document = web_sys::window()?.document()?;
         let commit = document.query_selector("meta[name=commit]").ok()??.get_attribute("content")?;
