@@ -212,6 +212,7 @@ mod tests {
     use super::*;
     use crate::app::platform::{Licenses, Platform};
     use crate::app::theme::SystemColors;
+    use crate::core::quantity::LengthUnit;
     use egui::{Color32, Theme};
 
     /// A machine on which these things have happened.
@@ -259,6 +260,16 @@ mod tests {
     fn what_happens_last_is_said_last() {
         let (_, app) = after(vec![Event::Copied(Ok(())), Event::Copied(Err(PlatformError::NoClipboard))]);
         assert_eq!(said(&app), Some(&NoticeText::NotCopied(PlatformError::NoClipboard)));
+    }
+
+    #[test]
+    fn what_was_typed_and_pressed_in_the_last_frame_is_saved_when_the_window_closes() {
+        let (ctx, mut app) = after(Vec::new());
+        app.session.inputs.entry_mut(Field::Disparity).text = "50".to_owned();
+        app.pending.push(Command::ShowResultsIn(LengthUnit::Foot));
+        app.finish(&ctx);
+        assert_eq!(app.stored.inputs.entry(Field::Disparity).text, "50");
+        assert_eq!(app.stored.settings.result_unit, LengthUnit::Foot);
     }
 
     #[test]
