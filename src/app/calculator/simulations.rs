@@ -119,22 +119,22 @@ mod tests {
     use std::cell::Cell;
 
     /// Both distances, too uncertain for the first order.
-    fn uncertain() -> Assessment {
+    fn uncertain(sigma: &str) -> Inputs {
         let mut inputs: Inputs = Example::CoffeeMug.inputs();
         inputs.entry_mut(Field::ImageWidth).text = "150".into();
         inputs.entry_mut(Field::RealWidth).text = "0.3".into();
         inputs.with_uncertainty = true;
         for field in [Field::Disparity, Field::ImageWidth] {
-            inputs.set_sigma(field, "30 %");
+            inputs.set_sigma(field, sigma);
         }
-        inputs.assess()
+        inputs
     }
 
     /// The frames until both simulations are done, where a frame takes `frame_s` and a batch `batch_s`, and what they find.
     fn run(frame_s: f64, batch_s: f64) -> (u32, Vec<Distribution>) {
         let now = Cell::new(7.0);
         let clock = || now.replace(now.get() + batch_s);
-        let (assessment, mut simulations) = (uncertain(), Simulations::default());
+        let (assessment, mut simulations) = (uncertain("30 %").assess(), Simulations::default());
         let mut frames = 1;
         while simulations.advance(&assessment, &Time { frame_s, clock: &clock }) {
             frames += 1;
@@ -174,15 +174,12 @@ mod tests {
         };
         assert_eq!(simulations.of(Method::Stereo).percent(), 0);
         for percent in [5, 10, 15] {
-            assert!(simulations.advance(&uncertain(), &time));
+            assert!(simulations.advance(&uncertain("30 %").assess(), &time));
             assert_eq!(simulations.of(Method::Stereo).percent(), percent);
         }
-        let mut assessment = uncertain();
-        assert!(simulations.advance(&assessment, &time));
-        let mut inputs = Inputs::default();
-        inputs.with_uncertainty = true;
-        assessment = inputs.assess();
-        assert!(!simulations.advance(&assessment, &time));
-        assert!(matches!(simulations.of(Method::Stereo), Simulation::None));
+        assert!(simulations.advance(&uncertain("40 %").assess(), &time));
+        assert_eq!(simulations.of(Method::Stereo).percent(), 5);
+        assert!(!simulations.advance(&Inputs::default().assess(), &time));
+        assert_eq!(simulations.of(Method::Stereo).percent(), 0);
     }
 }

@@ -4,7 +4,6 @@
 //! the last frame waits in two places: with eframe, which gives it to nobody, and in the accessible mirror. So eframe is made to run a
 //! frame at once. It does so whenever a pointer is pressed on the canvas: a press is made up, and taken out again before egui sees it.
 
-use eframe::App as _;
 use egui::{Event, PointerButton, RawInput, ViewportId};
 
 use super::listeners::on;
