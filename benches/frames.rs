@@ -38,6 +38,9 @@ impl Platform for Machine {
     fn set_aside(&mut self) -> Result<Option<Place>, PlatformError> {
         Ok(None)
     }
+    fn seconds(&self) -> f64 {
+        0.0
+    }
     fn commit(&self) -> Option<String> {
         None
     }

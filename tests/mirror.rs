@@ -31,6 +31,9 @@ impl Platform for Machine {
     fn events(&mut self) -> Vec<Event> {
         Vec::new()
     }
+    fn seconds(&self) -> f64 {
+        0.0
+    }
     fn commit(&self) -> Option<String> {
         None
     }

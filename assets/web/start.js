@@ -129,20 +129,36 @@ function onUncaught(error) {
   }
 }
 
-/** Puts aside what the program has stored, which may be why it does not run. */
+/** Takes the text that a storage has under this key. */
+function take(storage, key) {
+  const text = storage.getItem(key);
+  storage.removeItem(key);
+  return text;
+}
+
+/** Calls `use`, unless the browser refuses: what cannot be read is not read by the program either. */
+function ifAllowed(use) {
+  try {
+    return use();
+  } catch {
+    return null;
+  }
+}
+
+/** Puts aside what this tab and the last have stored, which may be why the program does not run (src/platform/web/browser.rs). */
 function startAfresh() {
   const { key } = element('afresh').dataset;
-  try {
-    const stored = localStorage.getItem(key);
-    localStorage.removeItem(key);
-    // The program does the same (src/platform/web/browser.rs): nothing that was set aside before is overwritten.
-    let aside = `${key}/set aside`;
-    for (let number = 2; localStorage.getItem(aside) !== null; number += 1) aside = `${key}/set aside ${number}`;
-    // Now that it is removed there is room for it.
-    if (stored !== null) localStorage.setItem(aside, stored);
-  } catch {
-    // What cannot be read is not read by the program either.
-  }
+  const texts = new Set([ifAllowed(() => take(sessionStorage, key)), ifAllowed(() => take(localStorage, key))]);
+  // Empty: the tab starts with nothing, whatever another has stored by then.
+  ifAllowed(() => sessionStorage.setItem(key, ''));
+  ifAllowed(() => {
+    // Nothing that was set aside before is overwritten. Now that the texts are taken there is room for them.
+    for (const text of texts) {
+      let aside = `${key}/set aside`;
+      for (let number = 2; localStorage.getItem(aside) !== null; number += 1) aside = `${key}/set aside ${number}`;
+      if (text) localStorage.setItem(aside, text);
+    }
+  });
   location.reload();
 }
 

@@ -42,7 +42,6 @@ impl App {
         match event {
             Event::Copied(Ok(())) => self.say(NoticeText::Copied(self.copied), None),
             Event::Copied(Err(error)) => self.say(NoticeText::NotCopied(error), None),
-            Event::StoredElsewhere => self.say(NoticeText::StoredElsewhere, None),
             Event::Colors(colors) => {
                 if colors != self.system_colors {
                     self.system_colors = colors;
@@ -194,6 +193,14 @@ impl App {
         Ok(())
     }
 
+    /// Carries out what is left to do, and saves: the page or the window may be closed now.
+    pub fn finish(&mut self, ctx: &egui::Context) {
+        for command in std::mem::take(&mut self.pending) {
+            self.carry_out(ctx, command);
+        }
+        self.store();
+    }
+
     /// Saves the state if it changed. A failure is shown once for each change.
     fn store(&mut self) {
         if self.is_stored() {
@@ -218,6 +225,7 @@ mod tests {
     use super::*;
     use crate::app::platform::{Licenses, Platform};
     use crate::app::theme::SystemColors;
+    use crate::core::quantity::LengthUnit;
     use egui::{Color32, Theme};
 
     /// A machine on which these things have happened.
@@ -236,6 +244,9 @@ mod tests {
         fn copy(&mut self, _ctx: &egui::Context, _text: String) {}
         fn events(&mut self) -> Vec<Event> {
             std::mem::take(&mut self.0)
+        }
+        fn seconds(&self) -> f64 {
+            0.0
         }
         fn commit(&self) -> Option<String> {
             None
@@ -259,11 +270,19 @@ mod tests {
     }
 
     #[test]
-    fn what_another_tab_stores_is_said_and_what_happens_last_is_said_last() {
-        let (_, app) = after(vec![Event::StoredElsewhere]);
-        assert_eq!(said(&app), Some(&NoticeText::StoredElsewhere));
-        let (_, app) = after(vec![Event::StoredElsewhere, Event::Copied(Err(PlatformError::NoClipboard))]);
+    fn what_happens_last_is_said_last() {
+        let (_, app) = after(vec![Event::Copied(Ok(())), Event::Copied(Err(PlatformError::NoClipboard))]);
         assert_eq!(said(&app), Some(&NoticeText::NotCopied(PlatformError::NoClipboard)));
+    }
+
+    #[test]
+    fn what_was_typed_and_pressed_in_the_last_frame_is_saved_when_the_window_closes() {
+        let (ctx, mut app) = after(Vec::new());
+        app.session.inputs.entry_mut(Field::Disparity).text = "50".to_owned();
+        app.pending.push(Command::ShowResultsIn(LengthUnit::Foot));
+        app.finish(&ctx);
+        assert_eq!(app.stored.inputs.entry(Field::Disparity).text, "50");
+        assert_eq!(app.stored.settings.result_unit, LengthUnit::Foot);
     }
 
     #[test]

@@ -5,13 +5,13 @@ use super::theme::SystemColors;
 
 /// What the program needs from the machine it runs on.
 pub trait Platform {
-    /// The stored state, if there is any.
+    /// What this tab or window has stored, else what was stored last by any, if there is anything.
     ///
     /// # Errors
     /// Why storage cannot be read.
     fn load(&self) -> Result<Option<String>, PlatformError>;
 
-    /// Stores `text` over what was stored.
+    /// Stores `text` over what this tab or window has stored, and as what a new one starts with.
     ///
     /// # Errors
     /// Why storage cannot be written.
@@ -30,6 +30,9 @@ pub trait Platform {
     /// The events since the last call, in order. The implementation requests a repaint for each.
     fn events(&mut self) -> Vec<Event>;
 
+    /// A clock, in seconds from some moment on.
+    fn seconds(&self) -> f64;
+
     /// The commit that the program was built from, where that is known.
     fn commit(&self) -> Option<String>;
 
@@ -42,8 +45,6 @@ pub trait Platform {
 pub enum Event {
     /// The outcome of a [`Platform::copy`].
     Copied(Result<(), PlatformError>),
-    /// Another tab or window has stored something.
-    StoredElsewhere,
     /// The person has chosen these colors for everything on the screen, or none any more.
     Colors(Option<SystemColors>),
     /// A link to the program was followed: the part behind its `#`.

@@ -129,7 +129,7 @@ for (const [name, reach] of Object.entries(SCREENS)) {
           await page.frames();
           found.push(...(await violations(page)).map((violation) => `${width} pixels wide, ${theme}: ${violation}`));
         }
-        await page.run('localStorage.clear()');
+        await page.run('localStorage.clear(); sessionStorage.clear()');
       }
     }
     assert.deepEqual(found, []);

@@ -167,15 +167,20 @@ export class Page {
     return this.engine.consoleProblems(this.driver);
   }
 
-  /** The text that the page keeps for the next start, `null` if there is none. */
+  /** The text that any tab has stored last, with which a new one starts, `null` if there is none. */
   stored() {
     return this.run('return localStorage.getItem(arguments[0])', STORAGE_KEY);
+  }
+
+  /** The text that this tab has stored for its next start; empty if it starts with nothing. */
+  own() {
+    return this.run('return sessionStorage.getItem(arguments[0])', STORAGE_KEY);
   }
 
   /** Replaces what the page keeps, before its next start. */
   async store(text) {
     await this.driver.get(`${this.server.origin}${EMPTY}`);
-    await this.run('localStorage.setItem(arguments[0], arguments[1])', STORAGE_KEY, text);
+    await this.run('sessionStorage.clear(); localStorage.setItem(arguments[0], arguments[1])', STORAGE_KEY, text);
   }
 
   /** What is shown of the page around the mirror with this role, of HTML or ARIA, and a name like this; undefined if nothing is. */

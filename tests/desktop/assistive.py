@@ -76,12 +76,15 @@ def walk(one):
             yield from walk(child)
 
 
-def everything():
-    """(object, role, name) of all that the programs of this desktop tell."""
+def everything(process):
+    """(object, role, name) of all that this process tells."""
     found = []
     try:
-        for one in walk(Atspi.get_desktop(0)):
-            found.append((one, one.get_role_name(), one.get_name() or ""))
+        desktop = Atspi.get_desktop(0)
+        programs = [desktop.get_child_at_index(index) for index in range(desktop.get_child_count())]
+        for program in programs:
+            if program is not None and program.get_process_id() == process:
+                found += [(one, one.get_role_name(), one.get_name() or "") for one in walk(program)]
     except GLib.Error:
         # Something went away while it was looked at.
         pass
@@ -103,6 +106,9 @@ class Program:
             self.errors.seek(0)
             raise SystemExit(f"The program ended with exit code {code}. It said:\n{self.errors.read()}")
 
+    def everything(self):
+        return everything(self.process.pid)
+
     def until(self, what, look):
         end = time.monotonic() + PATIENCE_S
         while time.monotonic() < end:
@@ -111,24 +117,27 @@ class Program:
             if seen:
                 return seen
             time.sleep(0.2)
-        told = "\n".join(f"  {role}: {name}" for _, role, name in everything())
+        told = "\n".join(f"  {role}: {name}" for _, role, name in self.everything())
         raise SystemExit(f"Waited {PATIENCE_S} s in vain: {what}. What is told:\n{told}")
 
     def find(self, name, roles):
-        return self.until(f"{name} ({', '.join(sorted(roles))})", lambda: next((one for one, role, said in everything() if said == name and role in roles), None))
+        return self.until(f"{name} ({', '.join(sorted(roles))})", lambda: next((one for one, role, said in self.everything() if said == name and role in roles), None))
 
     def says(self, words):
-        return self.until(f'"{words}" said', lambda: any(words in name for _, _, name in everything()))
+        return self.until(f'"{words}" said', lambda: any(words in name for _, _, name in self.everything()))
 
     def press(self, name, roles=frozenset(BUTTON)):
         if not self.find(name, roles).do_action(0):
             raise SystemExit(f"{name} cannot be pressed.")
 
+    def value(self, name):
+        return Atspi.Text.get_text(self.find(name, ENTRY), 0, -1)
+
     def write(self, name, text):
         field = self.find(name, ENTRY)
         if not Atspi.EditableText.set_text_contents(field, text):
             raise SystemExit(f"{name} cannot be written into.")
-        self.until(f"{text} in {name}", lambda: Atspi.Text.get_text(self.find(name, ENTRY), 0, -1) == text)
+        self.until(f"{text} in {name}", lambda: self.value(name) == text)
 
 
 def use(program, home):
@@ -146,8 +155,32 @@ def use(program, home):
     program.find("Stereo against monocular", {"image"})
     program.press("Learn", {"page tab"})
     program.find("What this computes", {"heading"})
-    stored = Path(home, "config", "depth-calculator", "state-v1.json")
-    program.until(f"the inputs in {stored}", lambda: stored.is_file() and '"950"' in stored.read_text(encoding="utf-8"))
+    stored(program, home, "state-v1.json", "950")
+
+
+def stored(program, home, name, number):
+    """Waits until the file of a window has this number."""
+    file = Path(home, "config", "depth-calculator", name)
+    program.until(f"{number} in {file}", lambda: file.is_file() and f'"{number}"' in file.read_text(encoding="utf-8"))
+
+
+def use_second_window(second, home):
+    """It starts with what the first has stored, and keeps what is written to itself."""
+    second.press("Calculator", {"page tab"})
+    second.says("4.275 m")
+    second.write("Focal length (fx)", "1900")
+    stored(second, home, "state-v1-2.json", "1900")
+    stored(second, home, "state-v1.json", "950")
+
+
+def use_first_window_again(first, home):
+    """Only now: a window that another covers is not drawn."""
+    first.press("Calculator", {"page tab"})
+    if first.value("Focal length (fx)") != "950":
+        raise SystemExit("The second window has changed the first.")
+    first.write("Focal length (fx)", "475")
+    stored(first, home, "state-v1.json", "475")
+    stored(first, home, "state-v1-2.json", "1900")
 
 
 def end(process):
@@ -167,6 +200,12 @@ def inside_session(path, home):
         try:
             Atspi.init()
             use(program, home)
+            second = Program(path, errors, home)
+            try:
+                use_second_window(second, home)
+            finally:
+                end(second.process)
+            use_first_window_again(program, home)
             program.check()
         finally:
             end(program.process)

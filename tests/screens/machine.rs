@@ -14,6 +14,9 @@ pub struct Machine {
     pub clipboard: Rc<RefCell<Option<String>>>,
     pub copied: Rc<RefCell<Option<Result<(), PlatformError>>>>,
     pub link: Rc<RefCell<Option<String>>>,
+    /// The clock goes on by so many seconds whenever it is looked at; it stands still otherwise.
+    pub tick: f64,
+    pub now: Rc<Cell<f64>>,
     pub broken: bool,
     pub commit: Option<&'static str>,
     pub licenses: Option<Licenses>,
@@ -50,6 +53,9 @@ impl Platform for Machine {
         *self.clipboard.borrow_mut() = Some(text);
         *self.copied.borrow_mut() = Some(if self.broken { Err(PlatformError::NoClipboard) } else { Ok(()) });
         ctx.request_repaint();
+    }
+    fn seconds(&self) -> f64 {
+        self.now.replace(self.now.get() + self.tick)
     }
     fn commit(&self) -> Option<String> {
         self.commit.map(str::to_owned)

@@ -1,6 +1,10 @@
 //! Standard deviations, and what follows from them.
 
-use crate::program::{B, D, FX, Program, W_IMG, W_REAL, type_sigma};
+use crate::machine::Machine;
+use crate::program::{B, D, DESKTOP, FX, Program, W_IMG, W_REAL, type_sigma};
+use egui::accesskit::Role;
+use egui_kittest::Harness;
+use egui_kittest::kittest::NodeT as _;
 use egui_kittest::kittest::Queryable as _;
 
 fn mug_with_uncertainty() -> Program {
@@ -75,4 +79,51 @@ fn where_first_order_fails_a_simulation_stands_beside_it() {
     assert!(program.says("100000 draws"), "{}", program.text());
     // About one draw in nine has no positive disparity.
     assert!(program.says("11 %") && program.says("no upper bound"));
+}
+
+/// A program with frames of `frame_s` seconds whose clock has gone on by 20 ms with each batch of draws, in the frame in which the
+/// simulation begins.
+fn at_the_start_of_a_simulation(frame_s: f32) -> Program {
+    let machine = Machine {
+        tick: 0.02,
+        ..Machine::default()
+    };
+    let mut program = Program::build(machine, Harness::builder().with_size(DESKTOP).with_step_dt(frame_s));
+    program.mug();
+    program.type_into(D, "1");
+    program.press("Add uncertainty");
+    let sigma = format!("Uncertainty of {D}");
+    program.harness.get_by_label(&sigma).focus();
+    program.harness.run();
+    program.harness.get_by_label(&sigma).type_text("0.8");
+    program
+}
+
+/// The frames until the simulation is done, and what was told of its progress in each.
+fn progress(mut program: Program) -> Vec<f64> {
+    let mut told = Vec::new();
+    for _ in 0..60 {
+        program.harness.step();
+        if program.says("100000 draws") {
+            assert!(program.harness.query_by_role(Role::ProgressIndicator).is_none());
+            return told;
+        }
+        let bars = program.harness.query_all_by_role(Role::ProgressIndicator);
+        let values: Vec<f64> = bars.filter_map(|bar| bar.accesskit_node().numeric_value()).collect();
+        for value in &values {
+            assert!(program.says(&format!("Drawing 100 000 times: {value} %")), "{}", program.text());
+        }
+        told.extend(values);
+    }
+    panic!("{}", program.text());
+}
+
+#[test]
+fn a_simulation_takes_a_share_of_each_frame_and_tells_how_far_it_is() {
+    let told = progress(at_the_start_of_a_simulation(1.0 / 60.0));
+    assert_eq!(told, (1..20).map(|batches| f64::from(batches * 5)).collect::<Vec<_>>());
+    // Where frames take a quarter of a second, five batches fit into the share of one.
+    let told = progress(at_the_start_of_a_simulation(0.25));
+    assert_eq!(told.last(), Some(&75.0), "{told:?}");
+    assert!(told.len() <= 4, "{told:?}");
 }

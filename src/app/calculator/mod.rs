@@ -7,6 +7,7 @@ mod form;
 mod geometry;
 mod helpers;
 mod results;
+mod simulations;
 mod table;
 mod top_view;
 mod uncertainty;
@@ -37,7 +38,7 @@ pub struct Calculator {
     solved: helpers::Solved,
     reveal: Reveal,
     curve: curve::Curve,
-    simulations: uncertainty::Simulations,
+    simulations: simulations::Simulations,
 }
 
 /// Whether the results are to be scrolled into view.
@@ -91,7 +92,12 @@ impl Calculator {
         if let Some(helper) = self.helper {
             self.solved = helpers::Solved::new(helper, cx.settings);
         }
-        if self.simulations.advance(cx.session.assessment()) {
+        let time = simulations::Time {
+            // After a rest egui says how long a frame will be, not how long the rest was.
+            frame_s: f64::from(cx.egui.input(|input| input.stable_dt)),
+            clock: &|| cx.platform.seconds(),
+        };
+        if self.simulations.advance(cx.session.assessment(), &time) {
             cx.egui.request_repaint();
         }
     }

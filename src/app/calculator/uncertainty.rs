@@ -1,87 +1,17 @@
 //! The uncertainty cards: the share of each input in the variance, and a Monte Carlo simulation where first order is not good enough.
 
 use super::card::Card;
+use super::simulations::{self, Simulation, Simulations};
 use crate::app::context::AppContext;
 use crate::app::sentences::{Description, Hint};
 use crate::app::theme;
-use crate::app::widgets::{cards, picture, text};
-use crate::core::monte_carlo::{Distribution, MonteCarlo, Quantiles};
+use crate::app::widgets::{cards, picture, progress, text};
+use crate::core::monte_carlo::{Distribution, Quantiles};
 use crate::core::problem::{Field, Method, Solution};
 use crate::core::quantity::{Length, LengthUnit};
-use crate::core::uncertainty::Model;
-use depth_text::assess::Assessment;
 use depth_text::report;
 use depth_text::sentences::Statement;
 use egui::{Align2, Color32, Rect, Sense, Ui, Vec2, pos2, vec2};
-
-/// Draws per simulation.
-const DRAWS: u32 = 100_000;
-/// Draws per frame: half a millisecond, so that no frame is late.
-const DRAWS_IN_A_FRAME: u32 = 5_000;
-/// Fixed, so that the figures are reproducible.
-const SEED: u64 = 1954;
-
-/// The simulations that the assessment asks for, one for each method.
-#[derive(Debug, Default)]
-pub struct Simulations {
-    stereo: Simulation,
-    monocular: Simulation,
-}
-
-#[derive(Debug, Default)]
-enum Simulation {
-    #[default]
-    None,
-    Running(Model, Box<MonteCarlo>),
-    Done(Model, Box<Distribution>),
-}
-
-impl Simulation {
-    /// Restarts with `wanted` unless that is its model already. Returns whether it did.
-    fn restart_for(&mut self, wanted: Option<Model>) -> bool {
-        let current = match self {
-            Self::None => None,
-            Self::Running(model, _) | Self::Done(model, _) => Some(*model),
-        };
-        if current == wanted {
-            return false;
-        }
-        *self = wanted.map_or(Self::None, |model| Self::Running(model, Box::new(MonteCarlo::new(model, SEED))));
-        true
-    }
-
-    /// Runs for one frame. Returns whether there was anything to do.
-    fn advance(&mut self) -> bool {
-        let Self::Running(model, running) = self else { return false };
-        running.draw(DRAWS_IN_A_FRAME);
-        if running.drawn() >= DRAWS {
-            *self = Self::Done(*model, Box::new(running.distribution()));
-        }
-        true
-    }
-}
-
-impl Simulations {
-    /// Runs the simulations that `assessment` needs for one frame. Returns whether another frame is needed.
-    pub fn advance(&mut self, assessment: &Assessment) -> bool {
-        let wanted = |method| {
-            let uncertainty = assessment.solution.uncertainty(method)?;
-            (!uncertainty.model.first_order_is_good()).then_some(uncertainty.model)
-        };
-        let stereo = self.stereo.restart_for(wanted(Method::Stereo));
-        let monocular = self.monocular.restart_for(wanted(Method::Monocular));
-        // One step per frame. A simulation restarts in a frame in which an input changed, which is long already; otherwise one of the
-        // two simulations advances.
-        stereo || monocular || self.stereo.advance() || self.monocular.advance()
-    }
-
-    fn of(&self, method: Method) -> &Simulation {
-        match method {
-            Method::Stereo => &self.stereo,
-            Method::Monocular => &self.monocular,
-        }
-    }
-}
 
 /// Draws the cards of each method whose distance has a σ.
 pub fn ui(ui: &mut Ui, cx: &AppContext<'_>, simulations: &Simulations) {
@@ -160,7 +90,9 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
 
 fn simulation_ui(ui: &mut Ui, method: Method, simulation: &Simulation, unit: LengthUnit) {
     let Simulation::Done(_, distribution) = simulation else {
-        text::caption_ui(ui, Hint::Simulating.to_string());
+        let (total, percent) = (simulations::DRAWS, simulation.percent());
+        text::caption_ui(ui, Hint::Simulating { total, percent }.to_string());
+        progress::ui(ui, Card::Simulation(method).title(), percent);
         return;
     };
     histogram_ui(ui, method, distribution, unit);

@@ -62,8 +62,8 @@ pub enum Hint {
     GroundPlane,
     /// The mean of many distances is too far by this.
     Bias { bias: Length, unit: LengthUnit },
-    /// The simulation is running.
-    Simulating,
+    /// How much of the simulation is done.
+    Simulating { total: u32, percent: u32 },
     /// What the simulation has done.
     Simulated { draws: u32 },
 }
@@ -132,7 +132,9 @@ impl Display for Hint {
                 "Averaging many such distances comes out {} too far: average the pixels, not the distances.",
                 report::length(Some(*bias), *unit)
             ),
-            Self::Simulating => f.write_str("Drawing 100 000 times…"),
+            Self::Simulating { total, percent } => {
+                write!(f, "Drawing {} {:03} times: {percent} %", total / 1000, total % 1000)
+            }
             Self::Simulated { draws } => write!(
                 f,
                 "{draws} draws of all inputs, the same ones every time. A draw whose pixels are zero or less counts as infinitely far."
@@ -211,7 +213,7 @@ mod tests {
             Hint::TiltedTarget => Hint::TiltedTarget,
             Hint::GroundPlane => Hint::GroundPlane,
             Hint::Bias { .. } => Hint::Bias { bias: Length::from_m(0.0028), unit: LengthUnit::Meter },
-            Hint::Simulating => Hint::Simulating,
+            Hint::Simulating { .. } => Hint::Simulating { total: 100_000, percent: 40 },
             Hint::Simulated { .. } => Hint::Simulated { draws: 100_000 },
         ];
         hints.push(Hint::MethodNeeds { method: Method::Monocular });

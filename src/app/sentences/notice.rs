@@ -11,8 +11,6 @@ pub enum NoticeText {
     Copied(Copyable),
     /// The results could not be copied.
     NotCopied(PlatformError),
-    /// Another tab or window has stored something.
-    StoredElsewhere,
     /// The fields were cleared.
     Cleared,
     /// There was nothing to clear.
@@ -60,9 +58,6 @@ impl Display for NoticeText {
             Self::Copied(Copyable::Results) => f.write_str("Results copied to the clipboard."),
             Self::Copied(Copyable::QMatrix) => f.write_str("Q matrix copied to the clipboard; its baseline is in meters."),
             Self::NotCopied(error) => error.fmt(f),
-            Self::StoredElsewhere => f.write_str(
-                "Another tab changed what is stored. Both go on; what is changed last is what a reload brings back. To keep these numbers, change something here, or copy them.",
-            ),
             Self::Cleared => f.write_str("All fields are cleared."),
             Self::NothingToClear => f.write_str("There was nothing to clear."),
             Self::FilledByExample => f.write_str("The example is filled in."),
@@ -115,7 +110,6 @@ mod tests {
         let mut notices = every![NoticeText;
             NoticeText::Copied(_) => NoticeText::Copied(Copyable::Results),
             NoticeText::NotCopied(_) => NoticeText::NotCopied(PlatformError::NoClipboard),
-            NoticeText::StoredElsewhere => NoticeText::StoredElsewhere,
             NoticeText::Cleared => NoticeText::Cleared,
             NoticeText::NothingToClear => NoticeText::NothingToClear,
             NoticeText::FilledByExample => NoticeText::FilledByExample,

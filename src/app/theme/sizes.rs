@@ -74,6 +74,8 @@ pub const LEGEND_MARK: f32 = 12.0;
 pub const HISTOGRAM_HEIGHT: f32 = 120.0;
 /// Height of the labels below a histogram.
 pub const HISTOGRAM_LABELS_HEIGHT: f32 = 18.0;
+/// Height of the bar that shows how much of a simulation is done.
+pub const PROGRESS_HEIGHT: f32 = 8.0;
 /// From the number that answers the question to its unit.
 pub const RESULT_UNIT_GAP: f32 = 2.0;
 /// Above and below the text in a cell of a table.

@@ -5,6 +5,7 @@ pub mod cards;
 pub mod field;
 pub mod picture;
 pub mod plot;
+pub mod progress;
 pub mod scroll;
 pub mod table;
 pub mod text;

@@ -1,4 +1,4 @@
-//! The desktop program: one window, its icon, and a file for what was entered.
+//! The desktop program: a window, its icon, and a file for what was entered.
 
 #[cfg(all(windows, not(debug_assertions)))]
 mod console;
@@ -8,11 +8,12 @@ mod sentences;
 mod state;
 
 use crate::app::{App, Event, Licenses, Place, Platform, PlatformError};
-use placement::PlacedApp;
+use placement::{Kept, PlacedApp};
 use state::State;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
 const NAME: &str = "Depth Calculator";
 /// What a Linux desktop knows the window by: the class on X11, the application's id on Wayland.
@@ -27,7 +28,9 @@ pub fn main() -> ExitCode {
     if console::leave() {
         return ExitCode::SUCCESS;
     }
-    let placement = placement::load();
+    let state = State::within(state::folder());
+    let file = state.file_named(placement::NAME);
+    let placement = placement::load(file.as_deref());
     let window = egui::ViewportBuilder::default()
         .with_title(NAME)
         .with_app_id(ID)
@@ -41,12 +44,12 @@ pub fn main() -> ExitCode {
     let opened = Arc::clone(&is_open);
     let run = move || {
         let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
-            let app = App::new(cc, Box::new(Desktop::default()));
+            let app = App::new(cc, Box::new(Desktop::new(state)));
             if let Some(window) = cc.winit_window() {
                 placement.restore_position(window);
             }
             opened.store(true, Ordering::Relaxed);
-            Box::new(PlacedApp::new(app, placement))
+            Box::new(PlacedApp::new(app, &cc.egui_ctx, Kept { placement, file }))
         };
         eframe::run_native(NAME, options, Box::new(move |cc| Ok(open(cc))))
     };
@@ -76,13 +79,15 @@ fn icon() -> Option<egui::IconData> {
 struct Desktop {
     state: State,
     events: Vec<Event>,
+    started: Instant,
 }
 
-impl Default for Desktop {
-    fn default() -> Self {
+impl Desktop {
+    fn new(state: State) -> Self {
         Self {
-            state: State::within(state::folder()),
+            state,
             events: Vec::new(),
+            started: Instant::now(),
         }
     }
 }
@@ -108,6 +113,10 @@ impl Platform for Desktop {
 
     fn events(&mut self) -> Vec<Event> {
         std::mem::take(&mut self.events)
+    }
+
+    fn seconds(&self) -> f64 {
+        self.started.elapsed().as_secs_f64()
     }
 
     fn commit(&self) -> Option<String> {

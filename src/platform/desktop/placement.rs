@@ -1,4 +1,4 @@
-//! The position and size of the window, kept from one start to the next.
+//! The position and size of a window, kept from one start to the next in a file of its own, as its state is.
 
 use super::state;
 use crate::app::App;
@@ -111,26 +111,26 @@ fn is_reachable(window: Rect, monitors: &[Rect]) -> bool {
     })
 }
 
-/// The file of the placement. Errors are ignored: the window then opens as at the first start.
-fn file(folder: &Path) -> PathBuf {
-    folder.join("window-v1.json")
-}
+/// The name of the file of a placement. It contains the version of the format.
+pub const NAME: &str = "window-v1";
 
-/// The stored placement.
-pub fn load() -> Placement {
-    let text = state::folder().ok().and_then(|folder| std::fs::read_to_string(file(&folder)).ok());
+/// The placement that is stored in `file`. Errors are ignored: the window then opens as at the first start.
+pub fn load(file: Option<&Path>) -> Placement {
+    let text = file.and_then(|file| std::fs::read_to_string(file).ok());
     text.and_then(|text| Placement::from_text(&text)).unwrap_or_default()
 }
 
-fn save(placement: Placement) {
-    if let (Ok(folder), Ok(text)) = (state::folder(), serde_json::to_string(&placement)) {
-        state::replace(&file(&folder), &text).ok();
-    }
+/// A placement and the file to keep it in, if there is one.
+pub struct Kept {
+    pub placement: Placement,
+    pub file: Option<PathBuf>,
 }
 
 /// The application in a window whose placement is kept.
 pub struct PlacedApp {
     app: App,
+    ctx: egui::Context,
+    file: Option<PathBuf>,
     now: Placement,
     stored: Placement,
     /// When `now` last changed.
@@ -140,10 +140,13 @@ pub struct PlacedApp {
 }
 
 impl PlacedApp {
-    /// `app` in a window that was opened with `placement`.
-    pub fn new(app: App, placement: Placement) -> Self {
+    /// `app` in a window that was opened with the placement in `kept`.
+    pub fn new(app: App, ctx: &egui::Context, kept: Kept) -> Self {
+        let Kept { placement, file } = kept;
         Self {
             app,
+            ctx: ctx.clone(),
+            file,
             now: placement,
             stored: placement,
             changed_at: Instant::now(),
@@ -185,7 +188,9 @@ impl PlacedApp {
 
     fn store(&mut self) {
         if self.now != self.stored {
-            save(self.now);
+            if let (Some(file), Ok(text)) = (&self.file, serde_json::to_string(&self.now)) {
+                state::replace(file, &text).ok();
+            }
             self.stored = self.now;
         }
     }
@@ -203,7 +208,9 @@ impl eframe::App for PlacedApp {
         self.app.ui(ui, frame);
     }
 
+    // After the frame that egui runs when the window is asked to close.
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
+        self.app.finish(&self.ctx);
         self.store();
     }
 }

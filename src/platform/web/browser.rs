@@ -1,4 +1,8 @@
-//! The platform in a browser: local storage, clipboard, the page's address and its system colors.
+//! The platform in a browser: storage, clipboard, the page's address and its system colors.
+//!
+//! Each tab keeps a state of its own, in the browser's session storage: a reload brings it back, whatever another tab has stored. A new
+//! tab starts with the state that was stored last, which is in local storage; one that the browser makes by copying a tab starts with
+//! that tab's.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -7,8 +11,8 @@ use wasm_bindgen::{JsCast as _, JsValue};
 
 use crate::app::{Event, Licenses, Place, Platform, PlatformError, SystemColors};
 
-/// The key in local storage. The number is the version of the format; one origin may serve several programs.
-pub(super) const STORAGE_KEY: &str = "depth-calculator/v1";
+/// The key in both storages. The number is the version of the format; one origin may serve several programs.
+const STORAGE_KEY: &str = "depth-calculator/v1";
 
 /// The events that the program has not handled yet. Clones share one list, as each listener of the browser has a clone of its own.
 #[derive(Clone)]
@@ -33,7 +37,7 @@ impl Inbox {
     }
 }
 
-/// Stores in the browser's local storage and copies to the clipboard.
+/// Stores in the browser and copies to the clipboard.
 pub(super) struct Browser {
     inbox: Inbox,
 }
@@ -47,12 +51,18 @@ impl Browser {
 
 impl Platform for Browser {
     fn load(&self) -> Result<Option<String>, PlatformError> {
-        storage()?
+        if let Some(text) = own_text() {
+            return Ok(Some(text).filter(|text| !text.is_empty()));
+        }
+        let last = storage()?
             .get_item(STORAGE_KEY)
-            .map_err(|error| PlatformError::StorageNotRead { reason: sentence(&error) })
+            .map_err(|error| PlatformError::StorageNotRead { reason: sentence(&error) })?;
+        keep_own(last.as_deref().unwrap_or_default());
+        Ok(last)
     }
 
     fn save(&mut self, text: &str) -> Result<(), PlatformError> {
+        keep_own(text);
         let outcome = storage().and_then(|storage| {
             storage
                 .set_item(STORAGE_KEY, text)
@@ -93,6 +103,12 @@ impl Platform for Browser {
         self.inbox.events.take()
     }
 
+    fn seconds(&self) -> f64 {
+        let performance = web_sys::window().and_then(|window| window.performance());
+        // Without a clock simulations take a frame as long as they like, once.
+        performance.map_or(0.0, |performance| performance.now() / 1000.0)
+    }
+
     fn commit(&self) -> Option<String> {
         let document = web_sys::window()?.document()?;
         let commit = document.query_selector("meta[name=commit]").ok()??.get_attribute("content")?;
@@ -112,20 +128,52 @@ fn storage() -> Result<web_sys::Storage, PlatformError> {
         .ok_or(PlatformError::NoStorage)
 }
 
-/// Moves what is stored to a key that nothing has. `assets/web/start.js` does the same.
+/// The storage of this tab alone, unless the browser denies it.
+fn own_storage() -> Option<web_sys::Storage> {
+    web_sys::window()?.session_storage().ok()?
+}
+
+/// What this tab has stored. Empty where it started with nothing, and has nothing yet.
+fn own_text() -> Option<String> {
+    own_storage()?.get_item(STORAGE_KEY).ok()?
+}
+
+/// Stores `text` as the state of this tab.
+fn keep_own(text: &str) {
+    if let Some(storage) = own_storage()
+        && storage.set_item(STORAGE_KEY, text).is_err()
+    {
+        // Better the state that any tab stored last than an old one of this.
+        storage.remove_item(STORAGE_KEY).ok();
+    }
+}
+
+/// Moves what this tab has stored, and what was stored last, to keys that nothing has. `assets/web/start.js` does the same.
 fn set_aside(storage: &web_sys::Storage) -> Result<Option<Place>, JsValue> {
-    let Some(text) = storage.get_item(STORAGE_KEY)? else {
-        return Ok(None);
-    };
+    let own = own_text().filter(|text| !text.is_empty());
+    let last = storage.get_item(STORAGE_KEY)?;
+    let mut key = None;
+    if let Some(text) = &own {
+        key = Some(copy_aside(storage, text)?);
+    }
+    if let Some(text) = last.filter(|text| own.as_ref() != Some(text)) {
+        key = Some(copy_aside(storage, &text)?);
+    }
+    storage.remove_item(STORAGE_KEY)?;
+    keep_own("");
+    Ok(key.map(Place::Storage))
+}
+
+/// Stores `text` under a key that nothing has, and returns that.
+fn copy_aside(storage: &web_sys::Storage, text: &str) -> Result<String, JsValue> {
     let mut key = format!("{STORAGE_KEY}/set aside");
     let mut number = 1;
     while storage.get_item(&key)?.is_some() {
         number += 1;
         key = format!("{STORAGE_KEY}/set aside {number}");
     }
-    storage.set_item(&key, &text)?;
-    storage.remove_item(STORAGE_KEY)?;
-    Ok(Some(Place::Storage(key)))
+    storage.set_item(&key, text)?;
+    Ok(key)
 }
 
 fn clipboard() -> Result<web_sys::Clipboard, PlatformError> {

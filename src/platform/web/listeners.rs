@@ -11,7 +11,6 @@ use crate::app::Event;
 pub(super) fn listen(ctx: &egui::Context, inbox: &Inbox) {
     let Some(window) = web_sys::window() else { return };
     listen_to_links(&window, inbox);
-    listen_to_storage(&window, inbox);
     listen_to_colors(&window, inbox);
     follow_reduced_motion(&window, ctx);
 }
@@ -28,18 +27,6 @@ fn listen_to_links(window: &web_sys::Window, inbox: &Inbox) {
     };
     add();
     on(window, "hashchange", move |_| add());
-}
-
-/// Browsers send the event `storage` only to the other tabs.
-fn listen_to_storage(window: &web_sys::Window, inbox: &Inbox) {
-    let inbox = inbox.clone();
-    on(window, "storage", move |event| {
-        // One origin may serve several programs. No key: all has been cleared.
-        let key = event.dyn_ref::<web_sys::StorageEvent>().and_then(web_sys::StorageEvent::key);
-        if key.is_none_or(|key| key == browser::STORAGE_KEY) {
-            inbox.add(Event::StoredElsewhere);
-        }
-    });
 }
 
 fn listen_to_colors(window: &web_sys::Window, inbox: &Inbox) {
@@ -74,7 +61,8 @@ fn follow_reduced_motion(window: &web_sys::Window, ctx: &egui::Context) {
     }
 }
 
-fn on(target: &web_sys::EventTarget, event: &str, act: impl FnMut(web_sys::Event) + 'static) {
+/// Calls `act` for each `event` of `target`.
+pub(super) fn on(target: &web_sys::EventTarget, event: &str, act: impl FnMut(web_sys::Event) + 'static) {
     let listener = Closure::<dyn FnMut(web_sys::Event)>::new(act);
     if target
         .add_event_listener_with_callback(event, listener.as_ref().unchecked_ref())

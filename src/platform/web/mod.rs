@@ -3,6 +3,7 @@
 //! Before this runs, `assets/web/start.js` has checked the browser and fetched the program.
 
 mod browser;
+mod leaving;
 mod listeners;
 mod page;
 
@@ -12,6 +13,7 @@ use wasm_bindgen::JsCast as _;
 
 use crate::app::{App, Copyable};
 use browser::{Browser, Inbox};
+use leaving::PageApp;
 
 /// Starts the program on `<canvas id="app">` and returns at once; the browser calls it from then on.
 ///
@@ -51,10 +53,10 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
             options(),
             Box::new(move |creation| {
                 creation.egui_ctx.add_plugin(FirstFrame::default());
-                let ctx = creation.egui_ctx.clone();
+                let (ctx, clicked) = (creation.egui_ctx.clone(), running.clone());
                 let options = egui_mirror::Options {
                     is_shortcut,
-                    clicked: Rc::new(move |node| Copyable::by_author_id(node.author_id()).is_some_and(|what| copy(&running, &ctx, what))),
+                    clicked: Rc::new(move |node| Copyable::by_author_id(node.author_id()).is_some_and(|what| copy(&clicked, &ctx, what))),
                     ..egui_mirror::Options::default()
                 };
                 if let Err(error) = egui_mirror::Mirror::install_with(&creation.egui_ctx, &mirrored, options) {
@@ -62,7 +64,8 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
                 }
                 let inbox = Inbox::new(&creation.egui_ctx);
                 listeners::listen(&creation.egui_ctx, &inbox);
-                Ok(Box::new(App::new(creation, Box::new(Browser::new(inbox)))))
+                leaving::listen(&running, &creation.egui_ctx, &mirrored);
+                Ok(Box::new(PageApp::new(App::new(creation, Box::new(Browser::new(inbox))))))
             }),
         )
         .await
@@ -76,8 +79,8 @@ fn is_shortcut(key: &str, modifiers: egui::Modifiers) -> bool {
 
 /// Copies while the browser still handles the click. Returns whether the program was free to do it.
 fn copy(runner: &eframe::WebRunner, ctx: &egui::Context, what: Copyable) -> bool {
-    let app = runner.app_mut::<App>();
-    app.map(|mut app| app.copy(ctx, what)).is_some()
+    let page = runner.app_mut::<PageApp>();
+    page.map(|mut page| page.app.copy(ctx, what)).is_some()
 }
 
 fn options() -> eframe::WebOptions {

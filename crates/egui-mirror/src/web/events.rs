@@ -37,7 +37,11 @@ pub(crate) fn listen(dom: &Dom) -> Result<Vec<Listener>, JsValue> {
         Listener::new(dom.document(), "selectionchange", false, |_| caret_moved()),
         // Before eframe's own listener on the canvas, which keeps every Tab from the browser.
         Listener::new(&window, "keydown", true, keyboard::on_its_way),
-        Listener::new(&window, "pointerdown", true, |_| LEAVING.set(false)),
+        Listener::new(&window, "pointerdown", true, |event| {
+            if event.is_trusted() {
+                LEAVING.set(false);
+            }
+        }),
         Listener::new(&window, "resize", false, |_| {
             let _ = with(|mirror| mirror.dom.lay_over_canvas());
         }),

@@ -99,6 +99,8 @@ impl Gate {
             "dragenter" if in_mirror => self.set_open(true),
             // From one element to another is not out of the page.
             "pointerout" if !is_finger && pointer.is_some_and(|pointer| pointer.related_target().is_none()) => self.set_open(false),
+            // A script's own, such as a copy of one that was handed on: no pointer is there.
+            "pointerdown" if !in_mirror && !event.is_trusted() => (),
             "pointerdown" if !in_mirror => {
                 self.timer.stop();
                 self.handed_on.set(None);
