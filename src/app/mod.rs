@@ -32,6 +32,8 @@ use notice::Notice;
 pub use platform::{Event, Licenses, Platform};
 use saved::{Saved, Screen, Settings};
 use sentences::FreshStart;
+#[cfg(target_arch = "wasm32")]
+pub use sentences::PageFailure;
 #[cfg(test)]
 pub(crate) use sentences::snapshot;
 pub use sentences::{Place, PlatformError};

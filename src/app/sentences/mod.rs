@@ -8,11 +8,15 @@
 mod description;
 mod hint;
 mod notice;
+#[cfg(any(target_arch = "wasm32", test))]
+mod page_failure;
 mod platform_error;
 
 pub use description::Description;
 pub use hint::Hint;
 pub use notice::{FreshStart, NoticeText};
+#[cfg(target_arch = "wasm32")]
+pub use page_failure::PageFailure;
 pub use platform_error::{Place, PlatformError};
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use std::rc::Rc;
 
 use wasm_bindgen::JsCast as _;
 
-use crate::app::{App, Copyable};
+use crate::app::{App, Copyable, PageFailure};
 use browser::{Browser, Inbox};
 use leaving::PageApp;
 
@@ -23,20 +23,12 @@ pub fn main() {
     eframe::WebLogger::init(log::LevelFilter::Warn).ok();
     // Before `WebRunner::new`, whose own hook calls the previous one.
     std::panic::set_hook(Box::new(|panic| {
-        page::show_failure(
-            "The program has stopped because of an error in it.",
-            "Reload the page to go on.",
-            &panic.to_string(),
-        );
+        page::show_failure(PageFailure::Stopped, &panic.to_string());
     }));
     let runner = eframe::WebRunner::new();
     wasm_bindgen_futures::spawn_local(async move {
         if let Err(reason) = start(&runner).await {
-            page::show_failure(
-                "The program arrived, but it could not start drawing.",
-                "Switch on hardware acceleration in the browser's settings, or use a current version of Firefox, Chrome, Edge or Safari.",
-                &reason,
-            );
+            page::show_failure(PageFailure::NotDrawing, &reason);
         }
     });
 }

@@ -1,5 +1,6 @@
 //! What the page shows outside the canvas: the elements of `index.html` by their ids.
 
+use crate::app::PageFailure;
 use wasm_bindgen::JsCast as _;
 
 /// The element of the page with this id.
@@ -27,10 +28,10 @@ pub(super) fn show_program() {
 /// Covers the page with what happened, what to do about it, and the details for a bug report.
 ///
 /// `assets/web/start.js` draws it, as it does for failures before the program runs and after it has stopped.
-pub(super) fn show_failure(what: &str, todo: &str, detail: &str) {
+pub(super) fn show_failure(failure: PageFailure, detail: &str) {
     let event = web_sys::CustomEventInit::new();
     event.set_detail(
-        &[what, todo, detail]
+        &[failure.what(), failure.remedy(), detail]
             .map(wasm_bindgen::JsValue::from)
             .into_iter()
             .collect::<js_sys::Array>(),
