@@ -13,7 +13,7 @@ use depth_text::fields;
 use depth_text::form::Inputs;
 use depth_text::geometry::Geometry;
 use depth_text::names::Named as _;
-use depth_text::note::{Part, Severity};
+use depth_text::note::{Issue, Part, Severity};
 use depth_text::sentences::{CommandLine, Statement};
 
 impl Calculate {
@@ -62,8 +62,8 @@ impl Calculate {
         {
             return Err(Warning::of(note).to_string());
         }
-        if let Some(Err(reason)) = assessment.unknown.as_ref().map(|unknown| &unknown.outcome) {
-            return Err(reason.to_string());
+        if let Some(Err(issue)) = assessment.unknown.as_ref().map(|unknown| &unknown.outcome) {
+            return Err(self.why_not_solved(issue));
         }
         if !answered {
             return Err(self.what_is_missing().to_string());
@@ -101,10 +101,33 @@ impl Calculate {
         warnings
     }
 
+    /// Why what is asked for by `--solve-for` cannot be had, with the option to look at.
+    fn why_not_solved(&self, issue: &Issue) -> String {
+        if issue.is_about_distance() {
+            return Warning::new(fields::DISTANCE, issue.part(), issue).to_string();
+        }
+        match issue {
+            Issue::MissingForUnknown { .. } => self.what_is_missing().to_string(),
+            _ => issue.to_string(),
+        }
+    }
+
+    /// The options that the point in space still needs, where one of it was given.
+    fn missing_for_point(&self) -> Vec<String> {
+        let camera = std::iter::once(fields::FOCAL_LENGTH).chain(Geometry::POINT);
+        let needed = camera.filter(|&key| key != fields::FY && key != fields::TAPED_RANGE);
+        let missing = needed.filter(|&key| !self.is_given(key, Part::Value));
+        missing.map(|key| name(key, Part::Value)).collect()
+    }
+
     /// Which options would give a distance: those of the methods of which something was typed, else those of both.
     fn what_is_missing(&self) -> CommandLine {
         let touched = |method: &Method| method.own_fields().into_iter().any(|field| self.is_given(field, Part::Value));
         let any_touched = Method::ALL.iter().any(touched);
+        if !any_touched && self.is_given(fields::TAPED_RANGE, Part::Value) {
+            let options = self.missing_for_point();
+            return CommandLine::NoPoint { options };
+        }
         let solved_for = |field: &Field| self.solve_for.is_some_and(|key| key == *field);
         let ways = Method::ALL
             .into_iter()
@@ -141,11 +164,7 @@ impl Calculate {
             });
         }
         if key.section == Some(Section::Point) && assessment.geometry.point.is_none() {
-            let needed = Geometry::POINT
-                .into_iter()
-                .filter(|&key| key != fields::FY && key != fields::TAPED_RANGE);
-            let missing = needed.filter(|&key| !self.is_given(key, Part::Value));
-            let options = missing.map(|key| name(key, Part::Value)).collect();
+            let options = self.missing_for_point();
             return Some(CommandLine::UnusedPoint { options });
         }
         let method = Method::ALL.into_iter().find(|method| key == method.optional_field())?;

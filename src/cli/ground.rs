@@ -65,14 +65,20 @@ impl Ground {
     fn unused(&self) -> Vec<Warning> {
         let is_given = |key: Key| self.fields.is_given(key, Part::Value);
         let unused = |&(key, part, _): &(Key, Part, String)| {
-            let by_angle = is_given(fields::FLOOR_ANGLE) && [fields::CY, fields::FY].contains(&key);
-            let without_column = !is_given(fields::FLOOR_COLUMN) && key == fields::CX;
+            let without_column = !is_given(fields::FLOOR_COLUMN);
+            let is_of_row = [fields::CY, fields::FY].contains(&key) || (without_column && key == fields::FOCAL_LENGTH);
+            let by_angle = is_given(fields::FLOOR_ANGLE) && is_of_row;
+            let has_sigma = self.fields.is_given(fields::FOCAL_LENGTH, Part::Sigma);
+            let only_fy = key == fields::FOCAL_LENGTH && is_given(fields::FY) && without_column && !has_sigma;
+            let without_column = without_column && key == fields::CX;
             let reason = if part == Part::Sigma && !is_given(key) {
                 CommandLine::UnusedSigma {
                     option: name(key, Part::Value),
                 }
             } else if by_angle {
                 CommandLine::UnusedWithAngle
+            } else if only_fy {
+                CommandLine::UnusedFocalLength
             } else if without_column {
                 CommandLine::UnusedSigma { option: "u".to_owned() }
             } else {

@@ -80,6 +80,9 @@ fn commands(root: &Command) -> Roff {
         roff.text([roman(command.get_about().map(ToString::to_string).unwrap_or_default())]);
         for value in command.get_positionals() {
             let names: Vec<_> = value.get_possible_values().iter().map(|one| one.get_name().to_owned()).collect();
+            if names.is_empty() {
+                continue;
+            }
             roff.control("br", []);
             roff.text([roman("One of: "), italic(names.join(", "))]);
         }

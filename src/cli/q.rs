@@ -39,15 +39,17 @@ struct Answer {
     doffs_px: f64,
     cx: f64,
     cy: f64,
-    swapped: bool,
+    warnings: Vec<String>,
 }
 
 impl Q {
     /// The answer, or one sentence that says why there is none.
     pub(super) fn reply(&self) -> Result<Reply, String> {
         let geometry = q_matrix::read(&self.text()?).map_err(|issue| in_sentence(&issue.to_string()))?;
+        let swapped = geometry.swapped.then(|| in_sentence(&Issue::QMatrixSwapped.to_string()));
+        let warnings: Vec<String> = swapped.into_iter().collect();
         let baseline_m = self.file_unit.map(|unit| Length::new(geometry.baseline, unit).m());
-        let text = if self.json {
+        if self.json {
             let answer = Answer {
                 fx: geometry.focal_length.px(),
                 baseline: geometry.baseline,
@@ -55,17 +57,13 @@ impl Q {
                 doffs_px: geometry.doffs.px(),
                 cx: geometry.cx.px(),
                 cy: geometry.cy.px(),
-                swapped: geometry.swapped,
+                warnings,
             };
-            serde_json::to_string_pretty(&answer).map_err(|error| error.to_string())? + "\n"
-        } else {
-            self.lines(&geometry)
-        };
-        let swapped = geometry.swapped.then(|| in_sentence(&Issue::QMatrixSwapped.to_string()));
-        Ok(Reply {
-            text,
-            warnings: swapped.into_iter().collect(),
-        })
+            let text = serde_json::to_string_pretty(&answer).map_err(|error| error.to_string())?;
+            return Ok(Reply::without_warnings(text + "\n"));
+        }
+        let text = self.lines(&geometry);
+        Ok(Reply { text, warnings })
     }
 
     fn lines(&self, geometry: &StereoGeometry) -> String {

@@ -180,9 +180,13 @@ pub fn assert_complete(variants: &BTreeSet<String>, command_line: &str) {
         CommandLine::UnusedPoint {
             options: vec!["cx".into(), "cy".into(), "v".into()],
         },
+        CommandLine::NoPoint {
+            options: vec!["fx".into(), "cy".into()],
+        },
         CommandLine::UnusedDistance,
         CommandLine::UnusedUnknown,
         CommandLine::UnusedWithAngle,
+        CommandLine::UnusedFocalLength,
         CommandLine::NoKnownDistance,
         CommandLine::WhichEquation,
         CommandLine::NoGround {

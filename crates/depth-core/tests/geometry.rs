@@ -174,6 +174,22 @@ fn the_sigmas_of_a_point_are_those_of_the_numerical_derivatives() {
     }
 }
 
+/// Z = 1.4 ± 0.05 m by tape, f to 2 %: X = (u − cx)·Z/f and R² = Z²·(1 + ρ²/f²) by hand.
+#[test]
+fn a_depth_by_tape_leaves_the_focal_length_its_part_in_the_sides() {
+    let view = PointView {
+        fx: Measured::from_base(700.0, 14.0),
+        along: Along::KnownAxis(Measured::from_base(1.4, 0.05)),
+        ..point_view()
+    };
+    let point = view.solve().unwrap();
+    let r = 0.05 / 1.4;
+    assert_near(point.z.sigma.m(), 0.05, 1e-12);
+    assert_near(point.x.relative(), (r * r + 0.0004_f64).sqrt(), 1e-12);
+    // Z²/R² is 1.96/2.96.
+    assert_near(point.range.relative(), (r * r + 0.0004 * (1.0 / 2.96_f64).powi(2)).sqrt(), 1e-12);
+}
+
 #[test]
 fn a_taped_range_gives_back_the_depth() {
     let forth = point_view().solve().unwrap();

@@ -40,6 +40,8 @@ pub struct Unknown {
     pub field: Field,
     /// Its value with σ in px or meters, or what is lacking.
     pub outcome: Result<Measured<f64>, Issue>,
+    /// The distance that was given, where it can be used.
+    pub distance: Option<Measured<Length>>,
 }
 
 impl Assessment {
@@ -101,57 +103,40 @@ impl Inputs {
     /// Reads every field and solves.
     pub fn assess(&self) -> Assessment {
         let mut notes = Vec::new();
-        let readings = self.read_fields(&mut notes);
-        let reading = |key: Key| readings.iter().find(|reading| reading.key == key);
-        let unit = |key: Key| reading(key).map_or_else(|| self.entry(key).chosen_unit(key), |reading| reading.unit);
-        let mut problem = Problem::default();
-        for reading in readings.iter().filter(|reading| !self.is_solved_for(reading.key)) {
-            problem::set(&mut problem, reading);
-        }
-        let mut sigmas = Vec::new();
-        for key in Key::form() {
-            notes.extend(problem::judge(&mut problem, key, self.entry(key), reading(key), self.offset()));
-            if self.counts_sigma(key) {
-                // A σ in % is of a value that can be used.
-                let value = match key.input {
-                    Some(_) => problem::get(&problem, key),
-                    None => reading(key).map(|reading| reading.value),
-                };
-                match reading::read_sigma(key, self.entry(key), unit(key), value) {
-                    Ok(sigma) => {
-                        problem::set_sigma(&mut problem, key, sigma);
-                        sigmas.extend(sigma.map(|sigma| (key, sigma)));
-                    }
-                    Err(note) => {
-                        problem::spoil_sigma(&mut problem, key);
-                        notes.push(note);
-                    }
-                }
-            }
-        }
-        let errors = notes
-            .iter()
-            .filter(|note| (note.severity, note.part) == (Severity::Error, Part::Value));
-        for key in errors.map(|note| note.key) {
-            problem::spoil(&mut problem, key);
-        }
+        let mut readings = self.read_fields(&mut notes);
+        let mut problem = self.read_problem(&mut readings, &mut notes);
         let unknown = self.unknown.map(|(method, field)| {
-            let outcome = problem::solve_for(method, field, &problem, || self.read_distance());
-            Unknown { method, field, outcome }
+            let distance = self.read_distance();
+            let known = distance.as_ref().ok().copied();
+            let outcome = problem::solve_for(method, field, &problem, || distance);
+            Unknown {
+                method,
+                field,
+                outcome,
+                distance: known,
+            }
         });
         if let Some(Unknown {
-            field, outcome: Ok(found), ..
+            method,
+            field,
+            outcome: Ok(found),
+            ..
         }) = &unknown
         {
-            problem::take(&mut problem, *field, *found);
+            problem::take(&mut problem, *method, *field, *found);
+            notes.extend(problem::judge_solved(&problem, *field));
         }
-        let solution = problem.solve();
+        let mut solution = problem.solve();
         self.note_refusals(&solution, &readings, &mut notes);
-        let readings = with_sigmas(readings, &sigmas, unknown.is_some());
-        let usable = |reading: &&Reading| !notes.iter().any(|note| note.key == reading.key && note.severity == Severity::Error);
-        let usable: Vec<Reading> = readings.iter().filter(usable).cloned().collect();
-        let (geometry, note) = Geometry::new(&usable, &solution);
-        notes.extend(note);
+        let given = unknown.as_ref().filter(|unknown| unknown.outcome.is_ok());
+        let given = given.and_then(|unknown| Some((unknown.method, unknown.distance?)));
+        if let Some((method, _)) = given {
+            problem::forget_echo(&mut solution, method);
+        }
+        let is_usable = |reading: &&Reading| !notes.iter().any(|note| note.key == reading.key && note.severity == Severity::Error);
+        let usable: Vec<&Reading> = readings.iter().filter(is_usable).collect();
+        let (geometry, more) = Geometry::new(&usable, &solution, given);
+        notes.extend(more);
         notes.sort_by_key(|note| (note.key, note.part));
         notes.dedup_by_key(|note| (note.key, note.part));
         Assessment {
@@ -162,6 +147,47 @@ impl Inputs {
             readings,
             geometry,
         }
+    }
+
+    /// The problem that `readings` are, each with the σ that counts. What cannot be used is left out, and noted.
+    fn read_problem(&self, readings: &mut [Reading], notes: &mut Vec<Note>) -> Problem {
+        let mut problem = Problem::default();
+        for reading in readings.iter().filter(|reading| !self.is_solved_for(reading.key)) {
+            problem::set(&mut problem, reading);
+        }
+        for key in Key::form() {
+            let reading = readings.iter().find(|reading| reading.key == key);
+            notes.extend(problem::judge(&mut problem, key, self.entry(key), reading, self.offset()));
+            if !self.counts_sigma(key) {
+                continue;
+            }
+            let unit = reading.map_or_else(|| self.entry(key).chosen_unit(key), |reading| reading.unit);
+            // A σ in % is of a value that can be used; of doffs that was left out, of zero.
+            let value = match key.input {
+                Some(_) if key == fields::DOFFS && self.entry(key).is_blank() => Some(0.0),
+                Some(_) => problem::get(&problem, key),
+                None => reading.map(|reading| reading.value),
+            };
+            match reading::read_sigma(key, self.entry(key), unit, value) {
+                Ok(sigma) => {
+                    problem::set_sigma(&mut problem, key, sigma);
+                    if let Some(reading) = readings.iter_mut().find(|reading| reading.key == key) {
+                        reading.sigma = sigma.filter(|&sigma| sigma > 0.0);
+                    }
+                }
+                Err(note) => {
+                    problem::spoil_sigma(&mut problem, key);
+                    notes.push(note);
+                }
+            }
+        }
+        let errors = notes
+            .iter()
+            .filter(|note| (note.severity, note.part) == (Severity::Error, Part::Value));
+        for key in errors.map(|note| note.key) {
+            problem::spoil(&mut problem, key);
+        }
+        problem
     }
 
     /// What can be read of the fields of the form, and notes on the rest but for what is solved for.
@@ -186,7 +212,8 @@ impl Inputs {
             Ok(Some(reading)) => reading,
             Ok(None) => return Err(Issue::MissingDistance),
             Err(note) if matches!(note.issue, Issue::PixelsForLength { .. }) => return Err(Issue::DistanceInPixels),
-            Err(_) => return Err(Issue::NotADistance { text: text() }),
+            Err(note) if matches!(note.issue, Issue::NotANumber { .. }) => return Err(Issue::NotADistance { text: text() }),
+            Err(note) => return Err(note.issue),
         };
         if judge::positive(reading.value).is_err() {
             return Err(Issue::NotADistance { text: text() });
@@ -268,21 +295,6 @@ impl Inputs {
             is_unknown: self.is_solved_for(fields::DOFFS),
         }
     }
-}
-
-/// The readings with the σ that count: where something is solved for, those of the inputs of the distance do not.
-fn with_sigmas(readings: Vec<Reading>, sigmas: &[(Key, f64)], is_inverse: bool) -> Vec<Reading> {
-    let sigma = |key: Key| {
-        let (_, sigma) = *sigmas.iter().find(|(other, _)| *other == key)?;
-        (sigma > 0.0 && !(is_inverse && key.input.is_some())).then_some(sigma)
-    };
-    readings
-        .into_iter()
-        .map(|reading| Reading {
-            sigma: sigma(reading.key),
-            ..reading
-        })
-        .collect()
 }
 
 impl Assessment {

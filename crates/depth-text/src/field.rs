@@ -43,7 +43,7 @@ impl Kind {
     pub const fn reads(self, unit: Unit) -> bool {
         match self {
             Self::Pixels => matches!(unit, Unit::Pixel),
-            Self::Length(_) => matches!(unit, Unit::Length(_) | Unit::Square(_)),
+            Self::Length(_) => matches!(unit, Unit::Length(_) | Unit::Micrometer | Unit::Square(_)),
             Self::Pitch => matches!(unit, Unit::Length(_) | Unit::Micrometer),
             Self::Angle => matches!(unit, Unit::Degree | Unit::Radian),
             Self::Count | Self::Plain | Self::Text => false,

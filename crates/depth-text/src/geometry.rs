@@ -7,11 +7,12 @@ use crate::fields::{
 };
 use crate::note::{Issue, Note};
 use crate::reading::{Reading, with_opposite_sign};
+use depth_core::agreement::LARGEST_RATIO;
 use depth_core::angle::Angle;
 use depth_core::camera::{Along, BelowAxis, GroundSolution, GroundView, PointSolution, PointView, RightOfAxis};
-use depth_core::judge::{Term, Unsolvable};
+use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
-use depth_core::problem::{Origin, Solution};
+use depth_core::problem::{Method, Origin, Solution};
 use depth_core::quantity::{Length, Pixels, Quantity};
 
 /// The point in space and the ground plane.
@@ -38,27 +39,33 @@ impl Geometry {
     /// The fields of the ground plane. The camera is that of the point.
     pub const GROUND: [Key; 6] = [CAMERA_HEIGHT, CAMERA_PITCH, FLOOR_ROW, FLOOR_COLUMN, TARGET_HEIGHT, FLOOR_ANGLE];
 
-    /// What follows from `readings` and `solution`, and what is wrong with them.
-    pub(crate) fn new(readings: &[Reading], solution: &Solution) -> (Self, Option<Note>) {
-        let camera = Camera { readings, solution };
-        let (ground, note) = match ground(&camera) {
-            Ok(ground) => (ground, None),
-            Err(note) => (None, Some(note)),
-        };
-        let point = point(&camera);
-        (Self { point, ground }, note)
+    /// What follows from `readings` and `solution`, and what is to be said about it. `given`: the distance that was given, by which
+    /// something else was solved for.
+    pub(crate) fn new(readings: &[&Reading], solution: &Solution, given: Option<(Method, Measured<Length>)>) -> (Self, Vec<Note>) {
+        let camera = Camera { readings, solution, given };
+        let mut notes = Vec::new();
+        let ground = ground(&camera).map_err(|note| notes.push(note)).ok().flatten();
+        let point = point(&camera).map_err(|note| notes.push(note)).ok().flatten();
+        notes.extend(point.and_then(|(origin, point)| contradiction(&camera, origin, &point)));
+        let vague = ground.is_some_and(|ground| ground.distance.sigma.m() > LARGEST_GROUND_SIGMA * ground.slant.value.m());
+        notes.extend(vague.then(|| Note::warning(CAMERA_PITCH, Issue::VagueGround)));
+        (Self { point, ground }, notes)
     }
 }
 
+/// The σ of a ground distance, as a part of the slant, from which on first order describes it poorly.
+const LARGEST_GROUND_SIGMA: f64 = 0.3;
+
 /// What was read, and what follows from it.
 struct Camera<'a> {
-    readings: &'a [Reading],
+    readings: &'a [&'a Reading],
     solution: &'a Solution,
+    given: Option<(Method, Measured<Length>)>,
 }
 
 impl Camera<'_> {
     fn reading(&self, key: Key) -> Option<&Reading> {
-        self.readings.iter().find(|reading| reading.key == key)
+        self.readings.iter().copied().find(|reading| reading.key == key)
     }
 
     fn pixels(&self, key: Key) -> Option<Pixels> {
@@ -85,10 +92,20 @@ impl Camera<'_> {
     }
 }
 
-fn point(camera: &Camera<'_>) -> Option<(PointOrigin, PointSolution)> {
-    let (origin, along) = match camera.measured(TAPED_RANGE) {
-        Some(range) => (PointOrigin::Range, Along::Ray(range)),
-        None => {
+fn point(camera: &Camera<'_>) -> Result<Option<(PointOrigin, PointSolution)>, Note> {
+    let Some((origin, view)) = point_view(camera) else {
+        return Ok(None);
+    };
+    view.solve()
+        .map(|point| Some((origin, point)))
+        .map_err(|error| point_note(camera, origin, error))
+}
+
+fn point_view(camera: &Camera<'_>) -> Option<(PointOrigin, PointView)> {
+    let (origin, along) = match (camera.measured(TAPED_RANGE), camera.given) {
+        (Some(range), _) => (PointOrigin::Range, Along::Ray(range)),
+        (None, Some((method, distance))) => (PointOrigin::Distance(Origin::Method(method)), Along::KnownAxis(distance)),
+        (None, None) => {
             let best = camera.solution.best()?;
             (PointOrigin::Distance(best.origin), Along::Axis(best.distance))
         }
@@ -102,7 +119,51 @@ fn point(camera: &Camera<'_>) -> Option<(PointOrigin, PointSolution)> {
         row: camera.pixels(PIXEL_ROW)?,
         along,
     };
-    Some((origin, view.solve().ok()?))
+    Some((origin, view))
+}
+
+/// Why there is no point.
+fn point_note(camera: &Camera<'_>, origin: PointOrigin, error: Unsolvable) -> Note {
+    let key = match error.term() {
+        Some(Term::PrincipalPoint) => CX,
+        Some(Term::Column) => PIXEL_COLUMN,
+        Some(Term::Row) => PIXEL_ROW,
+        Some(Term::Input(_)) if camera.reading(FY).is_some() => FY,
+        Some(Term::Distance) if origin == PointOrigin::Range => TAPED_RANGE,
+        _ => FOCAL_LENGTH,
+    };
+    refused(camera, key, error)
+}
+
+/// What is wrong with the value of `key`.
+fn refused(camera: &Camera<'_>, key: Key, error: Unsolvable) -> Note {
+    let issue = match error {
+        Unsolvable::Value {
+            refusal: Refusal::Zero, ..
+        } => Issue::Zero { key },
+        Unsolvable::Value {
+            refusal: Refusal::Negative,
+            ..
+        } => Issue::Negative { key },
+        _ => Issue::TooExtreme {
+            key,
+            text: camera.reading(key).map_or_else(String::new, |reading| reading.number_text.clone()),
+        },
+    };
+    Note::error(key, issue)
+}
+
+/// A warning where a range by tape and the distance that was computed cannot both be right.
+fn contradiction(camera: &Camera<'_>, origin: PointOrigin, point: &PointSolution) -> Option<Note> {
+    let best = camera.solution.best().filter(|_| origin == PointOrigin::Range)?.distance;
+    let times = point.z.value.m() / best.value.m();
+    let sigma = point.z.relative().hypot(best.relative());
+    let is_contradiction = if sigma > 0.0 {
+        times.ln().abs() > 3.0 * sigma
+    } else {
+        times.max(1.0 / times) > LARGEST_RATIO
+    };
+    is_contradiction.then(|| Note::warning(TAPED_RANGE, Issue::RangeContradicts { times }))
 }
 
 fn ground(camera: &Camera<'_>) -> Result<Option<GroundSolution>, Note> {

@@ -84,16 +84,40 @@ impl Note {
 }
 
 impl Issue {
+    /// The part of the field that it is about.
+    pub const fn part(&self) -> Part {
+        match self {
+            Self::SigmaTwoReadings { .. }
+            | Self::SigmaUnknownUnit { .. }
+            | Self::SigmaWrongUnit { .. }
+            | Self::SigmaUnitAndPercent { .. }
+            | Self::SigmaPercentOfZero { .. }
+            | Self::SigmaNotANumber { .. }
+            | Self::SigmaNegative { .. }
+            | Self::SigmaTooLarge { .. }
+            | Self::SigmaOutOfProportion => Part::Sigma,
+            _ => Part::Value,
+        }
+    }
+
     /// Whether it is about what was typed for the distance, where something else is solved for.
     pub const fn is_about_distance(&self) -> bool {
         matches!(
             self,
             Self::NotADistance { .. }
                 | Self::DistanceInPixels
+                | Self::MissingDistance
+                | Self::SeveralSeparators { .. }
+                | Self::UnusualSeparators { .. }
+                | Self::TwoReadings { .. }
+                | Self::UnknownUnit { .. }
+                | Self::SizeOfSquares { .. }
+                | Self::TooExtreme { .. }
                 | Self::SigmaTwoReadings { .. }
                 | Self::SigmaUnknownUnit { .. }
                 | Self::SigmaWrongUnit { .. }
                 | Self::SigmaUnitAndPercent { .. }
+                | Self::SigmaPercentOfZero { .. }
                 | Self::SigmaNotANumber { .. }
                 | Self::SigmaNegative { .. }
                 | Self::SigmaTooLarge { .. }
@@ -176,6 +200,8 @@ variants! {
         SigmaWrongUnit { key: Key, text: String },
         /// A σ with a unit and a percent sign.
         SigmaUnitAndPercent { key: Key, text: String },
+        /// A σ in percent of zero.
+        SigmaPercentOfZero { key: Key, text: String },
         /// A σ that is no number.
         SigmaNotANumber { key: Key, text: String },
         /// A σ below zero.
@@ -223,6 +249,10 @@ variants! {
         NoFocalLength,
         /// A minDisparity that is not a small whole number.
         MinDisparityNotWhole,
+        /// A range by tape that contradicts the distance that was computed.
+        RangeContradicts { times: f64 },
+        /// A ground distance that is known to worse than 30 %.
+        VagueGround,
         /// A number of sub-pixel bits that does not exist.
         WrongSubpixelBits,
         /// A stored value that stands for no disparity.
@@ -234,7 +264,7 @@ variants! {
         QMatrixCount { found: usize },
         /// A word in a Q matrix that is no finite number.
         QMatrixNumber { text: String },
-        /// A matrix whose entry for the baseline was rounded to zero by a common factor.
+        /// A matrix whose entry for the baseline has too few digits, because of a common factor.
         QMatrixRounded,
         /// A matrix that is no Q matrix, counted from row and column 1.
         QMatrixEntry { row: usize, column: usize, expected: Expected, found: f64 },

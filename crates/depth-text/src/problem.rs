@@ -118,11 +118,34 @@ pub(crate) fn solve_for(
     }
 }
 
-/// Takes the solution of an equation as the value of `field`. The uncertainty asked for is that of the unknown; what it
-/// would give back to the distance is only an echo.
-pub(crate) fn take(problem: &mut Problem, field: Field, found: Measured<f64>) {
+/// Takes the solution of the equation of `method` as the value of `field`. What the σ of its terms would give back to the distance
+/// is only an echo; the focal length, which the other method needs too, keeps its own.
+pub(crate) fn take(problem: &mut Problem, method: Method, field: Field, found: Measured<f64>) {
     problem.set(field, Some(found.value));
-    *problem = problem.without_sigmas();
+    for own in method.own_fields().into_iter().chain([method.optional_field()]) {
+        problem.set_sigma(own, 0.0);
+    }
+    if field == Field::FocalLength {
+        problem.set_sigma(field, found.sigma);
+    }
+}
+
+/// What is to be said about the value that was found for `field`.
+pub(crate) fn judge_solved(problem: &Problem, field: Field) -> Option<Note> {
+    let key = field.into();
+    (!problem.is_usual(field)).then(|| Note::warning(key, Issue::Unusual { key }))
+}
+
+/// Leaves out of `solution` what would only repeat that the distance of `method` was given: its σ, and what follows from that.
+pub(crate) fn forget_echo(solution: &mut Solution, method: Method) {
+    match method {
+        Method::Stereo => solution.stereo_uncertainty = None,
+        Method::Monocular => solution.monocular_uncertainty = None,
+    }
+    solution.combined = None;
+    if let Some(comparison) = &mut solution.comparison {
+        comparison.agreement = None;
+    }
 }
 
 /// The distance and its σ.

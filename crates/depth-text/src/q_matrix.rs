@@ -13,36 +13,42 @@ use depth_core::quantity::Pixels;
 /// # Errors
 /// What is wrong with the text, or which entry of the matrix cannot be one of a Q.
 pub fn read(text: &str) -> Result<StereoGeometry, Issue> {
-    let Scanned { numbers, factor } = numbers(entries(text)?)?;
+    // Whatever stands for a minus in what was copied from a document.
+    let text = text.replace(['−', '–', '—', '‐', '‑', '﹣', '－'], "-");
+    let Scanned { numbers, factor } = numbers(entries(&text)?)?;
     let mut matrix = [[0.0; 4]; 4];
-    for (slot, number) in matrix.iter_mut().flatten().zip(&numbers) {
+    for (slot, (number, _)) in matrix.iter_mut().flatten().zip(&numbers) {
         *slot = number * factor.unwrap_or(1.0);
     }
     if numbers.len() != 16 {
         return Err(Issue::QMatrixCount { found: numbers.len() });
     }
-    let is_rounded = factor.is_some() && matrix[3][2] == 0.0;
-    q_matrix::read(&matrix).map_err(|wrong| {
-        if is_rounded && (wrong.row, wrong.column) == (3, 2) {
-            return Issue::QMatrixRounded;
-        }
-        Issue::QMatrixEntry {
-            row: wrong.row + 1,
-            column: wrong.column + 1,
-            expected: wrong.expected,
-            found: wrong.found,
-        }
+    let is_rounded = numbers
+        .get(W_PER_D)
+        .is_some_and(|&(number, unit)| unit / 2.0 > LARGEST_ROUNDING * number.abs());
+    if factor.is_some() && is_rounded {
+        return Err(Issue::QMatrixRounded);
+    }
+    q_matrix::read(&matrix).map_err(|wrong| Issue::QMatrixEntry {
+        row: wrong.row + 1,
+        column: wrong.column + 1,
+        expected: wrong.expected,
+        found: wrong.found,
     })
 }
+
+/// The place of one over the baseline among the sixteen numbers.
+const W_PER_D: usize = 14;
+/// How far, as a fraction of it, one over the baseline may have been rounded by a factor that all numbers share.
+const LARGEST_ROUNDING: f64 = 1e-3;
 
 /// A part of the text that means something here.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Token<'a> {
-    /// A name, with what stands between it and the next sign but quotes and spaces: `:` and `=` make it the name of a value, as
-    /// does a `<` before it.
+    /// A name. Before `:` and `=`, and as an element of XML, it is the name of a value.
     Name { name: &'a str, is_of_value: bool, rest: &'a str },
-    /// A number, which may be a fraction such as `-1/0.2`.
-    Number(f64),
+    /// A number, which may be a fraction such as `-1/0.2`, and the unit of its last digit.
+    Number(f64, f64),
     /// What looks like a number or part of a calculation, and is none.
     Unreadable(&'a str),
     /// The factor in front of a matrix that MATLAB prints.
@@ -52,30 +58,56 @@ enum Token<'a> {
 }
 
 /// What is part of the values of a matrix, and not the name of another one.
-const OWN_NAMES: [&str; 14] = [
-    "data", "rows", "cols", "dt", "d", "type_id", "dtype", "opencv", "matrix", "array", "np", "numpy", "order", "xml",
+const OWN_NAMES: [&str; 19] = [
+    "data", "rows", "cols", "dt", "d", "type_id", "dtype", "opencv", "matrix", "array", "np", "numpy", "order", "xml", "version", "tensor",
+    "device", "cuda", "cpu",
 ];
+
+/// Whether `name` is that of a Q matrix.
+fn is_q(name: &str) -> bool {
+    ["q", "q_matrix", "qmatrix", "q_mat"].iter().any(|q| name.eq_ignore_ascii_case(q))
+}
 
 /// The part of `text` that holds the sixteen entries: what follows the name Q, and there the name "data".
 fn entries(text: &str) -> Result<&str, Issue> {
-    let mut others = false;
-    let mut scanner = Scanner { rest: text, before: ' ' };
-    while let Some(token) = scanner.next() {
+    let (mut named, mut mentioned, mut others) = (None, None, false);
+    for token in Scanner::of(text) {
         match token {
-            Token::Name { name: "Q", rest, .. } => return Ok(behind_data(rest)),
+            Token::Name { name, is_of_value, rest } if is_q(name) => {
+                let place = if is_of_value { &mut named } else { &mut mentioned };
+                place.get_or_insert(rest);
+            }
             Token::Name {
                 name, is_of_value: true, ..
             } if !OWN_NAMES.contains(&name) => others = true,
             _ => {}
         }
     }
-    if others { Err(Issue::NoQMatrix) } else { Ok(behind_data(text)) }
+    match named.or(mentioned) {
+        Some(rest) => Ok(behind_data(behind_declaration(rest))),
+        None if others => Err(Issue::NoQMatrix),
+        None => Ok(behind_data(text)),
+    }
+}
+
+/// `text` behind what declares a variable or opens an element: `[4][4] =`, `= cv::Mat_<double>(4, 4) <<`, ` rows="4">`.
+fn behind_declaration(text: &str) -> &str {
+    if let Some((_, rest)) = text.split_once("<<") {
+        return rest;
+    }
+    let line = text.lines().next().unwrap_or_default();
+    let brackets = line.trim_start().starts_with('[').then(|| text.split_once('=')).flatten();
+    let element = line.split_once('>').filter(|(attributes, _)| attributes.contains("=\""));
+    match (brackets, element) {
+        (Some((before, rest)), _) if !before.contains([',', '\n']) => rest,
+        (_, Some((attributes, _))) => text.get(attributes.len() + 1..).unwrap_or(text),
+        _ => text,
+    }
 }
 
 /// `text` behind the name "data", if the next numbers are its own: rows and columns are numbers too.
 fn behind_data(text: &str) -> &str {
-    let mut scanner = Scanner { rest: text, before: ' ' };
-    while let Some(token) = scanner.next() {
+    for token in Scanner::of(text) {
         match token {
             Token::Name { name: "data", rest, .. } => return rest,
             Token::Name {
@@ -87,29 +119,29 @@ fn behind_data(text: &str) -> &str {
     text
 }
 
-/// The numbers of a matrix and what all of them are to be multiplied by.
+/// The numbers of a matrix, each with the unit of its last digit, and what all of them are to be multiplied by.
 struct Scanned {
-    numbers: Vec<f64>,
+    numbers: Vec<(f64, f64)>,
     factor: Option<f64>,
 }
 
-/// The numbers at the beginning of `text`, up to the next name.
+/// The numbers at the beginning of `text`, up to the next name, or behind the sixteenth to whatever is no number.
 fn numbers(text: &str) -> Result<Scanned, Issue> {
     let mut numbers = Vec::new();
     let mut factor = None;
-    let mut scanner = Scanner { rest: text, before: ' ' };
-    while let Some(token) = scanner.next() {
+    for token in Scanner::of(text) {
         match token {
-            Token::Number(number) => numbers.push(number),
+            Token::Number(number, unit) => numbers.push((number, unit)),
+            _ if numbers.len() == 16 => break,
             Token::Unreadable(word) => {
                 return Err(Issue::QMatrixNumber { text: word.to_owned() });
             }
-            Token::Times if factor.is_none() && numbers.len() == 1 => factor = numbers.pop(),
-            Token::Times => {
+            Token::Times if factor.is_none() && numbers.len() == 1 => factor = numbers.pop().map(|(factor, _)| factor),
+            Token::Times if !numbers.is_empty() => {
                 return Err(Issue::QMatrixNumber { text: "*".to_owned() });
             }
             Token::Name { .. } | Token::Closing if !numbers.is_empty() => break,
-            Token::Name { .. } | Token::Closing => {}
+            Token::Name { .. } | Token::Closing | Token::Times => {}
         }
     }
     Ok(Scanned { numbers, factor })
@@ -118,7 +150,7 @@ fn numbers(text: &str) -> Result<Scanned, Issue> {
 /// Cuts a text into tokens.
 struct Scanner<'a> {
     rest: &'a str,
-    /// The last sign that is no space or quote.
+    /// The sign before `rest`.
     before: char,
 }
 
@@ -129,87 +161,96 @@ impl<'a> Iterator for Scanner<'a> {
         loop {
             let text = self.rest;
             let first = text.chars().next()?;
-            if first.is_ascii_digit() || (matches!(first, '.' | '-' | '−' | '+') && starts_number(text)) {
+            if starts_number(text) {
                 return Some(self.number(text));
             }
             if first.is_alphabetic() || first == '_' {
                 return Some(self.name(text));
             }
             self.rest = text.get(first.len_utf8()..).unwrap_or_default();
+            self.before = first;
             if first == '<' && self.rest.starts_with('/') {
                 return Some(Token::Closing);
             }
             if first == '*' {
                 return Some(Token::Times);
             }
-            if !first.is_whitespace() && !matches!(first, '"' | '\'') {
-                self.before = first;
-            }
         }
     }
 }
 
 impl<'a> Scanner<'a> {
+    const fn of(text: &'a str) -> Self {
+        Self { rest: text, before: ' ' }
+    }
+
     fn name(&mut self, text: &'a str) -> Token<'a> {
         let end = text.find(|c: char| !(c.is_alphanumeric() || c == '_')).unwrap_or(text.len());
         let (name, rest) = text.split_at_checked(end).unwrap_or((text, ""));
         self.rest = rest;
-        let is_tag = self.before == '<';
-        let is_minus = matches!(self.before, '-' | '−');
-        self.before = ' ';
+        let (is_tag, is_minus) = (self.before == '<', self.before == '-');
+        self.before = 'a';
         let lower = name.to_ascii_lowercase();
-        if is_minus || lower.starts_with("nan") || lower.starts_with("inf") {
+        if is_minus || matches!(lower.as_str(), "nan" | "inf" | "infinity") {
             return Token::Unreadable(name);
         }
-        let next = rest.trim_start_matches(|c: char| c.is_whitespace() || matches!(c, '"' | '\''));
-        // The declaration of XML has names of its own.
-        let is_of_value = is_tag || (next.starts_with([':', '=']) && !next.starts_with("=="));
+        let next = rest.trim_start_matches(|c: char| c.is_whitespace() || matches!(c, '"' | '\'' | '*'));
+        let is_of_value = is_tag || (next.starts_with([':', '=']) && !next.starts_with("==") && !next.starts_with("::"));
         Token::Name { name, is_of_value, rest }
     }
 
     fn number(&mut self, text: &'a str) -> Token<'a> {
         self.before = '0';
-        let Some((number, rest)) = leading_number(text) else {
+        let Some((number, unit, rest)) = leading_number(text) else {
             let end = text.find(is_gap).unwrap_or(text.len());
             let (word, rest) = text.split_at_checked(end).unwrap_or((text, ""));
             self.rest = rest;
             return Token::Unreadable(word);
         };
         self.rest = rest;
-        match rest
-            .trim_start_matches(' ')
-            .strip_prefix('/')
-            .and_then(|divisor| leading_number(divisor.trim_start_matches(' ')))
-        {
-            Some((divisor, rest)) => {
-                self.rest = rest;
-                let fraction = number / divisor;
-                if fraction.is_finite() {
-                    Token::Number(fraction)
-                } else {
-                    Token::Unreadable(text.get(..text.len() - rest.len()).unwrap_or(text))
-                }
-            }
-            None => Token::Number(number),
+        let Some((divisor, rest)) = rest.trim_start_matches(' ').strip_prefix('/').and_then(divisor) else {
+            return Token::Number(number, unit);
+        };
+        self.rest = rest;
+        let fraction = number / divisor;
+        if fraction.is_finite() {
+            Token::Number(fraction, 0.0)
+        } else {
+            Token::Unreadable(text.get(..text.len() - rest.len()).unwrap_or(text))
         }
     }
 }
 
-/// Whether the sign or point that `text` starts with belongs to a number.
+/// Whether a number, with its sign, is what `text` starts with.
 fn starts_number(text: &str) -> bool {
-    let unsigned = text.trim_start_matches(['-', '−', '+']);
-    unsigned.trim_start_matches('.').starts_with(|c: char| c.is_ascii_digit())
+    let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
+    unsigned
+        .strip_prefix('.')
+        .unwrap_or(unsigned)
+        .starts_with(|c: char| c.is_ascii_digit())
 }
 
-/// The number that `text` starts with, and what follows it. `None` where it goes on with something else.
-fn leading_number(text: &str) -> Option<(f64, &str)> {
+/// The number behind a slash, which may be in parentheses, and what follows it.
+fn divisor(text: &str) -> Option<(f64, &str)> {
+    let text = text.trim_start_matches(' ');
+    match text.strip_prefix('(') {
+        Some(inside) => {
+            let (number, _, rest) = leading_number(inside.trim_start_matches(' '))?;
+            Some((number, rest.trim_start_matches(' ').strip_prefix(')')?))
+        }
+        None => leading_number(text).map(|(number, _, rest)| (number, rest)),
+    }
+}
+
+/// The number that `text` starts with, the unit of its last digit, and what follows it. `None` where it goes on with something else.
+fn leading_number(text: &str) -> Option<(f64, f64, &str)> {
     let mut in_exponent = false;
     let mut previous = ' ';
     let end = text
         .find(|c: char| {
             let belongs = match c {
                 '0'..='9' | '.' => true,
-                '+' | '-' | '−' => previous == ' ' || matches!(previous, 'e' | 'E'),
+                '+' | '-' => previous == ' ' || matches!(previous, 'e' | 'E'),
                 'e' | 'E' => !std::mem::replace(&mut in_exponent, true),
                 _ => false,
             };
@@ -218,11 +259,27 @@ fn leading_number(text: &str) -> Option<(f64, &str)> {
         })
         .unwrap_or(text.len());
     let (number, rest) = text.split_at_checked(end)?;
-    if rest.starts_with(|c: char| c.is_alphabetic() || c == '_') {
+    // The suffix of a float in C.
+    let rest = rest
+        .strip_prefix(['f', 'F'])
+        .filter(|rest| !rest.starts_with(is_of_word))
+        .unwrap_or(rest);
+    if rest.starts_with(is_of_word) {
         return None;
     }
-    let number: f64 = number.replace('−', "-").parse().ok()?;
-    number.is_finite().then_some((number, rest))
+    let value: f64 = number.parse().ok()?;
+    let mantissa = number.split(['e', 'E']).next().unwrap_or(number);
+    let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let unit = if decimals == 0 || in_exponent {
+        0.0
+    } else {
+        0.1_f64.powi(i32::try_from(decimals).unwrap_or(i32::MAX))
+    };
+    value.is_finite().then_some((value, unit, rest))
+}
+
+fn is_of_word(c: char) -> bool {
+    c.is_alphabetic() || c == '_'
 }
 
 fn is_gap(c: char) -> bool {
@@ -304,10 +361,43 @@ mod tests {
             "<?xml version=\"1.0\"?>\n<opencv_storage>\n<K1 type_id=\"opencv-matrix\"><rows>3</rows><cols>3</cols><dt>d</dt><data>7 0 6</data></K1>\n<Q type_id=\"opencv-matrix\">\n  <rows>4</rows>\n  <cols>4</cols>\n  <dt>d</dt>\n  <data>\n    1. 0. 0. -610. 0. 1. 0. -350. 0. 0. 0. 700. 0. 0. 1.0e-02 0.4</data></Q>\n<rms>0.2</rms>\n</opencv_storage>",
         );
         is_the_reference("Q:\n- [1, 0, 0, -610]\n- [0, 1, 0, -350]\n- [0, 0, 0, 700]\n- [0, 0, 0.01, 0.4]\n");
-        // MATLAB, format short: a factor in front of all.
+        // MATLAB, format long: a factor in front of all.
         is_the_reference(
-            "Q =\n\n   1.0e+03 *\n\n    0.0010         0         0   -0.6100\n         0    0.0010         0   -0.3500\n         0         0         0    0.7000\n         0         0    0.00001    0.0004\n",
+            "Q =\n\n   1.0e+03 *\n\n   0.001000000000000                   0                   0  -0.610000000000000\n                   0   0.001000000000000                   0  -0.350000000000000\n                   0                   0                   0   0.700000000000000\n                   0                   0   0.000010000000000   0.000400000000000\n",
         );
+    }
+
+    const NUMBERS: &str = "1, 0, 0, -610, 0, 1, 0, -350, 0, 0, 0, 700, 0, 0, 0.01, 0.4";
+
+    #[test]
+    fn what_stands_around_it_does_not_matter() {
+        for (before, after) in [
+            (
+                "%YAML:1.0\n---\nQ: !!opencv-matrix\n   rows: 4\n   cols: 4\n   dt: d\n   data: [",
+                "]\n",
+            ),
+            ("---\nQ: [", "]\n---\nfoo: 1\n"),
+            ("- Q = [", "]"),
+            ("- Q: [", "]\n- reprojection error: 0.2"),
+            ("# the Q below is in mm\nP1: [1, 2, 3]\nQ: [", "]\n# --- end"),
+            ("Q: [", "]\ninformation: none"),
+            ("Q: [", "]\n[INFO] done"),
+            ("double Q[4][4] = {", "};"),
+            ("cv::Mat Q = (cv::Mat_<double>(4,4) << ", ");"),
+            ("<Q rows=\"4\" cols=\"4\">", "</Q>"),
+            ("q = np.array([", "])"),
+            ("Q_matrix = [", "]"),
+            ("tensor([", "], device='cuda:0')"),
+            ("**Q**: [", "]"),
+            ("\u{feff}Q =\r\n[", "]\r\n"),
+        ] {
+            is_the_reference(&format!("{before}{NUMBERS}{after}"));
+        }
+        for minus in ['–', '—', '‐', '‑', '﹣', '－', '−'] {
+            is_the_reference(&NUMBERS.replace('-', &minus.to_string()));
+        }
+        is_the_reference(&NUMBERS.replace("0.01", "-1/(-100)"));
+        is_the_reference(&NUMBERS.replace("0.01", "0.01f"));
     }
 
     #[test]
@@ -322,6 +412,12 @@ mod tests {
         }
         let rounded = "Q =\n  1.0e+03 *\n 0.0010 0 0 -0.6100\n 0 0.0010 0 -0.3500\n 0 0 0 0.7000\n 0 0 0.0000 0.0004";
         assert!(said(rounded).contains("format long g"), "{}", said(rounded));
+        for few_digits in ["0.0019", "0.0083", "0.0100"] {
+            assert!(
+                said(&rounded.replace("0.0000", few_digits)).contains("format long g"),
+                "{few_digits}"
+            );
+        }
         let sample = "Q = np.float32([[1, 0, 0, -0.5*w], [0,-1, 0,  0.5*h], [0, 0, 0, -f], [0, 0, 1, 0]])";
         assert!(said(sample).contains("“*”") || said(sample).contains('w'), "{}", said(sample));
         assert!(said("np.float32([[1,0,0,-320],[0,1,0,-240],[0,0,0,500]])").contains("has 12"));

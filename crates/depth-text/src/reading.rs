@@ -121,6 +121,7 @@ pub fn read_sigma(key: Key, entry: &Entry, unit: Option<Unit>, value: Option<f64
     let sigma = match (typed.unit, percent, value) {
         (Some(_), true, _) => return wrong(Issue::SigmaUnitAndPercent { key, text: quote() }),
         (None, true, None) => return Ok(None),
+        (None, true, Some(0.0)) if typed.number > 0.0 => return wrong(Issue::SigmaPercentOfZero { key, text: quote() }),
         (None, true, Some(value)) => typed.number / 100.0 * value.abs(),
         (Some(unit), false, _) if key.kind.reads(unit) => unit.to_base(typed.number),
         (Some(_), false, _) => return wrong(Issue::SigmaWrongUnit { key, text: quote() }),

@@ -120,7 +120,9 @@ impl Style {
     /// What one pixel of disparity more or less makes of the stereo distance: "1.373 … 1.429 m". It stands in for the σ of the
     /// disparity; `None` where there is one.
     pub fn one_pixel_range(self, solution: &Solution, unit: LengthUnit) -> Option<String> {
-        if solution.problem.sigma(Field::Disparity) > 0.0 {
+        // Without a distance that was computed there is nothing that a pixel could change.
+        let has_sigma = |field| solution.problem.sigma(field) > 0.0;
+        if has_sigma(Field::Disparity) || has_sigma(Field::Doffs) {
             return None;
         }
         let (near, far) = solution.one_pixel_range()?;
@@ -169,5 +171,6 @@ impl Style {
 
 /// The decimals that show two digits of `sigma`, and at least two of `value`.
 fn decimals_beside(value: f64, sigma: f64) -> i32 {
-    (1 - magnitude(sigma)).max(1 - magnitude(value))
+    // As many digits as a number has.
+    (1 - magnitude(sigma)).max(1 - magnitude(value)).min(11 - magnitude(value))
 }

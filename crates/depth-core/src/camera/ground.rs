@@ -126,6 +126,12 @@ impl GroundView {
         }
         let (sin, cos) = sin_cos(pitch.value);
         let (down, forward) = (sin + y.value * cos, cos - y.value * sin);
+        // What is left of a horizontal ray by rounding is none of its own.
+        let down = if down.abs() <= 4.0 * f64::EPSILON * (1.0 + y.value.abs()) {
+            0.0
+        } else {
+            down
+        };
         let s = h / down;
         if s.is_infinite() && down != 0.0 {
             return Err(Unsolvable::too_extreme(Term::Distance));
@@ -133,7 +139,7 @@ impl GroundView {
         if !(s.is_finite() && s > 0.0) {
             let horizon = self.horizon_row();
             let with_opposite_pitch = h / (y.value * cos - sin);
-            let meets_with_opposite_pitch = with_opposite_pitch.is_finite() && with_opposite_pitch > 0.0;
+            let meets_with_opposite_pitch = down != 0.0 && with_opposite_pitch.is_finite() && with_opposite_pitch > 0.0;
             return Err(Unsolvable::MissesPlane {
                 horizon,
                 meets_with_opposite_pitch,

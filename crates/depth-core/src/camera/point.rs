@@ -13,6 +13,8 @@ pub enum Along {
     /// Along the optical axis: the depth Z, with its σ but for what the focal length has in it
     /// ([`own_relative_sigma`](crate::uncertainty::Model::own_relative_sigma)).
     Axis(Measured<Length>),
+    /// Along the optical axis, measured by other means, so that the focal length has no part in its σ.
+    KnownAxis(Measured<Length>),
     /// Along the ray of the pixel: the range R, as a tape measure or a laser shows it.
     Ray(Measured<Length>),
 }
@@ -54,6 +56,7 @@ impl PointView {
     ///
     /// With r_f the relative σ of the focal length and r that of what is given without it: from a depth, which grows with f,
     /// X and Y do not depend on f, so that σ_X/X = σ_Y/Y = r, σ_Z/Z = √(r² + r_f²) and σ_R/R = √(r² + (r_f·Z²/R²)²). From a
+    /// depth that is known apart from f σ_X/X = σ_Y/Y = √(r² + r_f²), σ_Z/Z = r and σ_R/R = √(r² + (r_f·(1 − Z²/R²))²). From a
     /// range σ_Z/Z = √(r² + (r_f·(1 − Z²/R²))²) and σ_X/X = σ_Y/Y = √(r² + (r_f·Z²/R²)²).
     ///
     /// ```
@@ -87,11 +90,10 @@ impl PointView {
         judge::value(Term::Column, judge::finite(self.column.px()))?;
         judge::value(Term::Row, judge::finite(self.row.px()))?;
         let given = match self.along {
-            Along::Axis(depth) => judge::positive_measured(Term::Distance, depth)?,
-            Along::Ray(range) => judge::positive_measured(Term::Distance, range)?,
+            Along::Axis(length) | Along::KnownAxis(length) | Along::Ray(length) => judge::positive_measured(Term::Distance, length)?,
         };
         let depth = match self.along {
-            Along::Axis(depth) => depth.value,
+            Along::Axis(depth) | Along::KnownAxis(depth) => depth.value,
             Along::Ray(range) => self.depth_at(range.value)?,
         };
         let x = offset_from_axis(self.column, self.cx, depth, self.fx.value).ok_or(Unsolvable::too_extreme(Term::Column))?;
@@ -110,6 +112,12 @@ impl PointView {
                 y: with(y, 0.0),
                 z: with(depth, 1.0),
                 range: with(range, slope * slope),
+            },
+            Along::KnownAxis(_) => PointSolution {
+                x: with(x, 1.0),
+                y: with(y, 1.0),
+                z: with(depth, 0.0),
+                range: with(range, off_axis),
             },
             Along::Ray(range) => PointSolution {
                 x: with(x, slope * slope),

@@ -82,7 +82,7 @@ pub struct Solution {
     /// One distance against the other; `None` unless both are known. Where they do not agree, [`Solution::suspects`] says what
     /// to look at.
     pub comparison: Option<Comparison>,
-    /// Both distances [combined](agreement::combine).
+    /// Both distances [combined](agreement::combine); `None` unless each has a σ of its own: one that nobody has stated is not 0.
     pub combined: Option<Measured<Length>>,
     /// An input whose σ is out of all proportion to its value, so that nothing can be said.
     pub unusable_sigma: Option<Field>,

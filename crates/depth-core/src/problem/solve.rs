@@ -59,7 +59,9 @@ impl Problem {
             stereo_uncertainty,
             monocular_uncertainty,
             comparison: models.map(|(stereo, monocular)| Comparison::of(&stereo, &monocular)),
-            combined: models.and_then(|(stereo, monocular)| agreement::combine(&stereo, &monocular)),
+            combined: models
+                .filter(|(stereo, monocular)| Comparison::of(stereo, monocular).agreement.is_some())
+                .and_then(|(stereo, monocular)| agreement::combine(&stereo, &monocular)),
             unusable_sigma: unusable.or(also_unusable),
         }
     }
@@ -125,7 +127,13 @@ impl Problem {
 
     /// The input of `method` with the largest σ for its value.
     fn least_certain(&self, method: Method) -> Field {
-        let relative = |field: Field| self.measured(field).map_or(0.0, Measured::relative);
+        let relative = |field: Field| {
+            let value = match field {
+                Field::Disparity | Field::Doffs => self.effective_disparity().map(Pixels::px),
+                _ => self.get(field),
+            };
+            value.map_or(0.0, |value| Measured::new(value, self.sigma(field)).relative())
+        };
         let [first, others @ ..] = method.fields();
         others
             .into_iter()

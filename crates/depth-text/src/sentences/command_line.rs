@@ -21,12 +21,16 @@ variants! {
         UnusedTilt,
         /// An option of the point in space was given, without these that it needs.
         UnusedPoint { options: Vec<String> },
+        /// A range was given, without these options that give the depth from it.
+        NoPoint { options: Vec<String> },
         /// A distance was given, and nothing else is solved for.
         UnusedDistance,
         /// A value was given for what is solved for.
         UnusedUnknown,
         /// What belongs to a row was given beside an angle instead of it.
         UnusedWithAngle,
+        /// fx was given, and nothing that is asked for depends on it.
+        UnusedFocalLength,
         /// Something else than the distance is solved for, and no distance was given.
         NoKnownDistance,
         /// The focal length is solved for, and both equations have it.
@@ -59,9 +63,15 @@ impl Display for CommandLine {
             Self::UnusedTilt => f.write_str("Not used: it belongs to the monocular distance, which needs --w-img and --w-real."),
             Self::UnusedPoint { options } if options.is_empty() => f.write_str("Not used: there is no distance to put the point at."),
             Self::UnusedPoint { options } => write!(f, "Not used without {}.", enumerated(options)),
+            Self::NoPoint { options } => write!(
+                f,
+                "No depth can be computed from the range. Add {} (see --help).",
+                enumerated(options)
+            ),
             Self::UnusedDistance => f.write_str("Not used without --solve-for, which says what to solve for instead."),
             Self::UnusedUnknown => f.write_str("Not used: it is what --solve-for solves for."),
             Self::UnusedWithAngle => f.write_str("Not used with --angle, which takes the place of a row."),
+            Self::UnusedFocalLength => f.write_str("Not used: --fy takes its place for the row, and no column is given."),
             Self::NoKnownDistance => f.write_str("With --solve-for the distance is an input: give it with --distance."),
             Self::WhichEquation => {
                 f.write_str("Both methods have an fx: to solve for it leave out either --baseline and --disparity or --w-img and --w-real.")

@@ -116,6 +116,7 @@ fn sigma(issue: &Issue, f: &mut Formatter<'_>) -> Option<fmt::Result> {
         Issue::SigmaUnknownUnit { key, text } => (key, text, "has a unit that is not known here."),
         Issue::SigmaWrongUnit { key, text } => (key, text, "has the wrong kind of unit."),
         Issue::SigmaUnitAndPercent { key, text } => (key, text, "has a unit and a percent sign."),
+        Issue::SigmaPercentOfZero { key, text } => (key, text, "of zero is nothing."),
         Issue::SigmaNotANumber { key, text } => (key, text, "is not an uncertainty."),
         Issue::SigmaNegative { key, text } => (key, text, "is negative, which an uncertainty cannot be."),
         Issue::SigmaTooLarge { key, text } => (key, text, "is too large."),
@@ -127,6 +128,11 @@ fn sigma(issue: &Issue, f: &mut Formatter<'_>) -> Option<fmt::Result> {
         _ => return None,
     };
     let example = match key.kind {
+        _ if matches!(issue, Issue::SigmaPercentOfZero { .. }) => match key.kind {
+            Kind::Length(_) => "0.5 mm",
+            Kind::Angle => "0.5°",
+            _ => "0.5",
+        },
         Kind::Length(_) => "0.5 mm or 1 %",
         Kind::Pitch => "0.05 µm or 1 %",
         Kind::Angle => "0.5° or 1 %",
@@ -144,6 +150,11 @@ fn missing(issue: &Issue, f: &mut Formatter<'_>) -> Option<fmt::Result> {
             capital(key.noun),
             method.name().to_lowercase(),
             what_to_type(*key)
+        ),
+        Issue::RangeContradicts { times } => write!(
+            f,
+            "The depth that this range gives is {} times the distance that was computed: one of them is wrong.",
+            significant(*times, 3)
         ),
         Issue::MissingFocalLength => f.write_str("Start with the focal length in pixels, such as 700."),
         Issue::MissingMethod => f.write_str("Add a baseline and a disparity for two cameras, or the two widths for one camera."),
@@ -199,6 +210,7 @@ const fn fixed(issue: &Issue) -> Option<&'static str> {
         Issue::NoQMatrix => "There is no Q in it. Q is the 4 × 4 matrix that stereoRectify makes; paste it, or the file that has it.",
         Issue::UnusableGround => "Height and focal length must be above zero, and no uncertainty below it.",
         Issue::GroundTooExtreme => "With these numbers there is no distance that a computer can represent.",
+        Issue::VagueGround => "With this uncertainty ± σ is a poor description of the distance: the far side is longer.",
         Issue::NoFocalLength => "These numbers give no focal length: all must be above zero, and a field of view below 180°.",
         Issue::MinDisparityNotWhole => "minDisparity is a whole number, such as 0.",
         Issue::WrongSubpixelBits => "DepthAI has 3, 4 or 5 sub-pixel bits.",
@@ -212,7 +224,7 @@ const fn fixed(issue: &Issue) -> Option<&'static str> {
             reason: NoDisparity::OutOfRange,
         } => "This encoding cannot hold such a value.",
         Issue::QMatrixRounded => {
-            "MATLAB printed this matrix with a common factor, which rounded one over the baseline to zero. Print it with format long g."
+            "MATLAB printed this matrix with a common factor, which leaves one over the baseline too few digits. Print it with format long g."
         }
         Issue::QMatrixSwapped => {
             "The sign of this Q means that left and right are swapped, or that T has the wrong sign: depths come out negative."

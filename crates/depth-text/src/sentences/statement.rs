@@ -130,7 +130,7 @@ impl Display for Statement {
             }
             Self::WidthsDiffer { off } => write!(
                 f,
-                "Computed from the stereo distance, as a check. The width you entered in the image is {} % {} than they predict; so is the real width.",
+                "Computed from the stereo distance, as a check. The width in the image is {} % {} than the real width predicts: one of the two, or the distance, is off.",
                 significant(off.abs() * 100.0, 2),
                 if off > 0.0 { "larger" } else { "smaller" }
             ),
