@@ -131,7 +131,10 @@ impl Calculate {
         let solved_for = |field: &Field| self.solve_for.is_some_and(|key| key == *field);
         let ways = Method::ALL
             .into_iter()
-            .filter(|method| touched(method) || !any_touched)
+            .filter(|method| match self.solve_for.and_then(method_of) {
+                Some(solved) => *method == solved,
+                None => touched(method) || !any_touched,
+            })
             .map(|method| {
                 let fields = method.fields().into_iter();
                 let missing = fields.filter(|field| !self.is_given(*field, Part::Value) && !solved_for(field));

@@ -1,6 +1,6 @@
 //! Figures that were worked out independently, each through the program.
 
-use super::{json, near, refused, run_words, text};
+use super::{json, near, refused, refused_words, run_words, text};
 use serde_json::Value;
 
 /// The answer of `ground` in JSON.
@@ -166,6 +166,96 @@ fn every_input_can_be_solved_for() {
     assert!(refused("calculate --fx 700 --baseline 100 --solve-for disparity").contains("--distance"));
     assert!(refused("calculate --fx 700 --solve-for disparity --distance 2").contains("baseline"));
     assert!(json("--fx 700 --baseline 100 --disparity 50")["solved"].is_null());
+}
+
+/// What is solved for repeats its own equation; the σ of everything else stays.
+#[test]
+fn solving_for_an_input_keeps_the_sigmas_of_the_rest() {
+    let pixel = "--cx 640 --cy 360 --u 1000 --v 500";
+    let point = json(&format!(
+        "--fx 700 --baseline 100 --sigma-fx 70 --solve-for disparity --distance 2 --sigma-distance 0.1 {pixel}"
+    ));
+    near(&point["point"]["sigma_z_m"], 0.1, 1e-12);
+    // X = (u − cx)·Z/f: 5 % of the distance and 10 % of the focal length.
+    near(&point["point"]["sigma_x_m"], 360.0 / 700.0 * 2.0 * 0.0125_f64.sqrt(), 1e-9);
+    let other = json("--fx 700 --baseline 100 --sigma-fx 7 --solve-for disparity --distance 2 --w-img 150 --w-real 0.4 --sigma-w-img 2");
+    near(&other["monocular"]["sigma_m"], 0.031, 5e-4);
+    assert!(other["stereo"]["sigma_m"].is_null() && other["combined"].is_null() && other["agreement"].is_null());
+}
+
+#[test]
+fn a_sigma_of_doffs_is_blamed_only_for_itself() {
+    for sigma in ["abc", "1 mm", "-1", "1e160", "10%"] {
+        let reason = refused_words(&[
+            "calculate",
+            "--fx",
+            "700",
+            "--baseline",
+            "100",
+            "--disparity",
+            "50",
+            "--sigma-doffs",
+            sigma,
+        ]);
+        assert!(reason.starts_with("depth-calculator: --sigma-doffs: "), "{sigma}: {reason}");
+    }
+    for zero in ["--doffs 0 --sigma-doffs 10%", "--doffs 60 --disparity 0 --sigma-disparity 5%"] {
+        let disparity = if zero.contains("--disparity") { "" } else { "--disparity 50" };
+        let reason = refused(&format!("calculate --fx 700 --baseline 100 {disparity} {zero}"));
+        assert!(reason.contains("of zero is nothing"), "{reason}");
+    }
+}
+
+#[test]
+fn a_distance_without_a_sigma_of_its_own_is_not_combined() {
+    let answer = json("--fx 700 --baseline 100 --disparity 50 --w-img 150 --w-real 0.32 --sigma-w-img 1");
+    assert!(answer["combined"].is_null() && answer["agreement"].is_null());
+}
+
+#[test]
+fn a_range_that_contradicts_the_distance_is_a_warning() {
+    let pixel = "--cx 640 --cy 360 --u 1000 --v 500";
+    let of = |range: &str| json(&format!("--fx 700 --baseline 100 --disparity 50 --range {range} {pixel}"));
+    assert_eq!(of("16")["warnings"][0]["field"], "range");
+    assert_eq!(of("1.6")["warnings"].as_array().unwrap().len(), 0);
+    for (arguments, option) in [
+        ("--range 0", "range"),
+        ("--range -1", "range"),
+        ("--fy 0", "fy"),
+        ("--fy -700", "fy"),
+    ] {
+        let reason = refused(&format!("calculate --fx 700 --baseline 100 --disparity 50 {pixel} {arguments}"));
+        assert!(reason.starts_with(&format!("depth-calculator: --{option}: ")), "{reason}");
+    }
+}
+
+#[test]
+fn a_horizontal_ray_is_at_the_horizon_however_it_is_rounded() {
+    for arguments in [
+        "--height 1.2 --pitch 180 --angle 0",
+        "--height 1.2 --pitch 80 --angle -80",
+        "--height 1.2 --pitch 360 --angle 0",
+        "--fx 700 --height 1.2 --pitch -45 --row 1060 --cy 360",
+    ] {
+        let reason = refused(&format!("ground {arguments}"));
+        assert!(
+            reason.contains("never meets") && !reason.contains("counted downwards"),
+            "{arguments}: {reason}"
+        );
+    }
+}
+
+#[test]
+fn what_ground_does_not_use_is_a_warning() {
+    for (arguments, option) in [
+        ("--fx 700 --height 1.2 --pitch 10 --angle 5", "fx"),
+        ("--fx 700 --fy 650 --cy 360 --row 500 --height 1.2 --pitch 10", "fx"),
+        ("--cx 640 --height 1.2 --pitch 10 --angle 5", "cx"),
+        ("--height 1.2 --pitch 1 --sigma-pitch 1 --angle 0", "pitch"),
+    ] {
+        assert_eq!(ground_of(arguments)["warnings"][0]["field"], option, "{arguments}");
+    }
+    assert!(refused("ground --height 0 --pitch 10 --angle 5").contains("--height: The height of the camera cannot be zero"));
 }
 
 #[test]
