@@ -247,8 +247,8 @@ it('what is typed in the moment in which the page is reloaded comes back', async
   const page = await bench.page(test);
   await page.start();
   const typeAndReload = async (field, text) => {
-    await page.run(`globalThis.isOld = true; ${TYPE_AND} location.reload()`, field, text);
-    await until('the next document', () => page.run('return globalThis.isOld !== true'));
+    await page.run(`document.body.dataset.is = 'old'; ${TYPE_AND} location.reload()`, field, text);
+    await until('the next document', () => page.run("return document.body?.dataset.is !== 'old'"));
     await page.started();
   };
   await typeAndReload(await page.field(FX), '700');

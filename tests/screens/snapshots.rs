@@ -172,7 +172,7 @@ fn both_methods_with_uncertainty_and_geometry_look_as_before() {
         }
         fill_geometry(program);
         program.blur();
-        // Two simulations, of twenty frames each.
+        // Simulations, and what moves.
         program.harness.run_steps(60);
         assert_eq!(program.text().matches("100000 draws").count(), 2, "{}", program.text());
     });

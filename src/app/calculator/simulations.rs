@@ -63,10 +63,10 @@ impl Simulation {
     }
 
     /// How much of it is done, 0 to 100.
-    pub fn percent(&self) -> u32 {
+    pub fn percent(&self) -> u16 {
         match self {
             Self::None => 0,
-            Self::Running(_, running) => running.drawn() / (DRAWS / 100),
+            Self::Running(_, running) => u16::try_from(running.drawn() / (DRAWS / 100)).unwrap_or(100),
             Self::Done(..) => 100,
         }
     }

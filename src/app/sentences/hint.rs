@@ -63,7 +63,7 @@ pub enum Hint {
     /// The mean of many distances is too far by this.
     Bias { bias: Length, unit: LengthUnit },
     /// How much of the simulation is done.
-    Simulating { total: u32, percent: u32 },
+    Simulating { total: u32, percent: u16 },
     /// What the simulation has done.
     Simulated { draws: u32 },
 }

@@ -4,12 +4,11 @@ use crate::app::theme;
 use egui::accesskit::Role;
 use egui::{Sense, Stroke, StrokeKind, Ui, vec2};
 
-/// Draws the bar of what is called `name`, at `percent`, over the whole width. Nothing is announced while it moves: a screen reader tells
+/// Draws the bar of what is called `name`, at `percent`, 0 to 100, over the whole width. Nothing is announced while it moves: a screen reader tells
 /// it when asked.
-pub fn ui(ui: &mut Ui, name: &str, percent: u32) {
+pub fn ui(ui: &mut Ui, name: &str, percent: u16) {
     let palette = theme::palette(ui);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::PROGRESS_HEIGHT), Sense::hover());
-    let percent = u16::try_from(percent).unwrap_or(u16::MAX).min(100);
     let done = rect.with_max_x(rect.left() + rect.width() * f32::from(percent) / 100.0);
     ui.painter().rect_filled(rect, theme::MARK_RADIUS, palette.highlight);
     ui.painter().rect_filled(done, theme::MARK_RADIUS, palette.blue);
