@@ -222,14 +222,11 @@ fn ground_note(camera: &Camera<'_>, error: Unsolvable) -> Note {
         } => (TARGET_HEIGHT, Issue::TargetAtCameraHeight),
         Unsolvable::Value { term: Term::BelowAxis, .. } => (FLOOR_ANGLE, Issue::AngleTooLarge),
         Unsolvable::Value { term: Term::Distance, .. } => (CAMERA_HEIGHT, Issue::GroundTooExtreme),
-        Unsolvable::Value {
-            term: Term::CameraHeight, ..
-        } => return refused(camera, CAMERA_HEIGHT, error),
         Unsolvable::Value { term: Term::Input(_), .. } => {
             let key = if camera.reading(FY).is_some() { FY } else { FOCAL_LENGTH };
             return refused(camera, key, error);
         }
-        _ => (CAMERA_HEIGHT, Issue::UnusableGround),
+        _ => return refused(camera, CAMERA_HEIGHT, error),
     };
     Note::error(key, issue)
 }

@@ -240,8 +240,6 @@ variants! {
         AngleTooLarge,
         /// A row and an angle instead of it.
         RowAndAngle,
-        /// A height, a focal length or a σ that makes no sense.
-        UnusableGround,
         /// A distance along the floor that cannot be represented.
         GroundTooExtreme,
 

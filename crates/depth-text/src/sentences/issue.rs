@@ -208,7 +208,6 @@ const fn fixed(issue: &Issue) -> Option<&'static str> {
         Issue::AngleTooLarge => "A point 90° or more off the optical axis is not in the picture. Type an angle below 90°.",
         Issue::RowAndAngle => "Give the row of the point or its angle below the axis, not both.",
         Issue::NoQMatrix => "There is no Q in it. Q is the 4 × 4 matrix that stereoRectify makes; paste it, or the file that has it.",
-        Issue::UnusableGround => "Height and focal length must be above zero, and no uncertainty below it.",
         Issue::GroundTooExtreme => "With these numbers there is no distance that a computer can represent.",
         Issue::VagueGround => "With this uncertainty ± σ is a poor description of the distance: the far side is longer.",
         Issue::NoFocalLength => "These numbers give no focal length: all must be above zero, and a field of view below 180°.",
