@@ -130,7 +130,7 @@ impl NoteLine<'_> {
             .scope_id(self.id.with(what))
             .max_rect(rect)
             .layout(Layout::left_to_right(Align::Center));
-        let label = Label::new(words).selectable(false).show_tooltip_when_elided(false);
+        let label = Label::new(words).selectable(false).show_tooltip_when_elided(self.notes.is_empty());
         ui.new_child(place).add(label)
     }
 
@@ -208,7 +208,8 @@ impl Card<'_> {
         let fix_has_focus = area
             .show(ui.ctx(), |ui| {
                 self.paint(ui, &measures);
-                ui.set_max_width(content.width());
+                ui.spacing_mut().interact_size = Vec2::ZERO;
+                ui.set_max_width(content.width() + theme::STEP);
                 ui.horizontal_wrapped(|ui| self.fixes_ui(ui, height, commands)).inner
             })
             .inner;
@@ -244,16 +245,17 @@ impl Card<'_> {
             .map(|note| ui.painter().layout(note.message(), font(), color, width))
             .collect();
         let gap = theme::NOTE_CARD_GAP;
-        let mut texts_height: f32 = texts.iter().map(|text| text.size().y + gap).sum();
+        let texts_height: f32 = texts.iter().map(|text| text.size().y + gap).sum();
         let spacing = ui.spacing().item_spacing;
         let padding = 2.0 * ui.spacing().button_padding.x;
-        let (mut rows, mut x) = (0.0, f32::INFINITY);
+        let (mut rows, mut x, mut widest) = (0.0, f32::INFINITY, 0.0_f32);
         for (_, fix) in &self.fixes {
-            let button = ui.painter().layout_no_wrap(fix.label(), font(), color).size().x + padding;
+            let button = ui.painter().layout_no_wrap(fix.label(), font(), color).size().x.ceil() + padding;
             if x + button > width {
                 rows += 1.0;
                 x = 0.0;
             }
+            widest = widest.max(x + button);
             x += button + spacing.x;
         }
         let fixes_height = if rows > 0.0 {
@@ -261,12 +263,11 @@ impl Card<'_> {
         } else {
             -gap
         };
-        if texts.is_empty() {
-            texts_height = 0.0;
-        }
         let height = theme::NOTE_CARD_MARGIN.sum().y + texts_height + fixes_height;
+        // Texts go from one side of the field to the other.
+        let width = if texts.is_empty() { widest } else { width } + theme::NOTE_CARD_MARGIN.sum().x;
         let room = ui.clip_rect().intersect(ui.ctx().content_rect());
-        let below = Rect::from_min_size(line.left_bottom(), vec2(line.width(), height));
+        let below = Rect::from_min_size(line.left_bottom(), vec2(width, height));
         let above = Rect::from_min_size(self.field.left_top() - vec2(0.0, height + theme::STEP), below.size());
         let card = if below.bottom() > room.bottom() && above.top() >= room.top() {
             above
