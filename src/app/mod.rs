@@ -4,6 +4,7 @@
 //! the events of the platform, and saves what changed.
 
 mod about;
+mod batches;
 mod calculator;
 mod command;
 mod context;
@@ -66,6 +67,7 @@ impl App {
     pub fn new(cc: &eframe::CreationContext<'_>, platform: Box<dyn Platform>) -> Self {
         let ctx = &cc.egui_ctx;
         theme::install(ctx);
+        ctx.add_plugin(batches::Batches::default());
         let (saved, unread) = match platform.load() {
             Ok(None) => (Saved::default(), None),
             Ok(Some(text)) => match Saved::from_text(&text) {

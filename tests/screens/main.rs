@@ -23,5 +23,6 @@ mod program;
 mod results;
 mod snapshots;
 mod storage;
+mod typing;
 mod uncertainty;
 mod window;

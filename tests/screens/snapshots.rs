@@ -213,6 +213,15 @@ fn errors_and_warnings_look_as_before() {
 }
 
 #[test]
+fn the_card_with_whole_notes_looks_as_before() {
+    look("note", &[TOP[0], TOP[3]], |program| {
+        program.press("Add uncertainty");
+        program.type_into(FX, "-7,000");
+        type_sigma(program, FX, "many");
+    });
+}
+
+#[test]
 fn solving_for_another_quantity_looks_as_before() {
     look("unknown", &WHOLE, |program| {
         program.type_into(FX, "700");

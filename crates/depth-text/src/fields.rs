@@ -89,7 +89,7 @@ table! {
     /// d, px
     DISPARITY = FieldSpec {
         key: "d", name: "Disparity (d)", symbol: "d", noun: "the disparity", examples: &["50"],
-        hint: "Horizontal shift of the object between the left and right image.",
+        hint: "Horizontal shift between the two images.",
         description: "Horizontal pixel difference",
         input: Some(Field::Disparity), section: Some(Section::Stereo),
         option: option(
@@ -102,7 +102,7 @@ table! {
     /// δ = cx_right − cx_left, px
     DOFFS = FieldSpec {
         key: "doffs", name: "Principal point offset (doffs)", symbol: "doffs", noun: "doffs", examples: &["0", "131.1"],
-        hint: "cx of the right camera minus cx of the left one; added to the disparity.",
+        hint: "cx right minus cx left; added to the disparity.",
         signed: true, is_optional: true,
         input: Some(Field::Doffs), section: Some(Section::Stereo),
         option: option("doffs", "cx of the right camera minus cx of the left one, added to the disparity", "1 σ of doffs"),

@@ -47,7 +47,7 @@ fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
                 }
                 ui.add_space(space);
                 part_ui(ui, Part::Field(key.as_str()), |ui| field_ui(ui, cx, key, marked));
-                space = 2.0 * theme::STEP;
+                space = theme::STEP;
             }
         });
         ui.add_space(2.0 * theme::STEP);

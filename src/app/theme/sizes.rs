@@ -32,6 +32,22 @@ pub const LABEL_HEIGHT: f32 = 20.0;
 pub const FIRST_FIELD_SPACE: f32 = 2.0;
 /// Between the text of a field, its unit, and its σ.
 pub const FIELD_PARTS_GAP: f32 = 6.0;
+/// Height of the line below a field, with its hint or a note.
+pub const NOTE_LINE_HEIGHT: f32 = 24.0;
+/// [`NOTE_LINE_HEIGHT`] where a correction in it is for a finger.
+pub const NOTE_LINE_HEIGHT_TOUCH: f32 = 32.0;
+/// From a note to the correction in its line.
+pub const NOTE_FIX_GAP: f32 = 12.0;
+/// What a note has left in its line, if there is a correction too.
+pub const NOTE_TEXT_MIN_WIDTH: f32 = 120.0;
+/// Inside the card with the whole note.
+pub const NOTE_CARD_MARGIN: Margin = Margin::symmetric(12, 8);
+/// Between the texts on that card, and from them to the corrections.
+pub const NOTE_CARD_GAP: f32 = 6.0;
+/// Height of a correction on that card for the mouse.
+pub const NOTE_FIX_HEIGHT: f32 = 28.0;
+/// How long that card is open before a click can meet its corrections, s.
+pub const NOTE_CARD_DELAY: f64 = 0.3;
 /// Inside a field.
 pub const FIELD_MARGIN: Margin = Margin::symmetric(10, 4);
 /// Inside the field for a σ.

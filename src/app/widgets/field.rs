@@ -1,5 +1,6 @@
 //! The field of the program: label, text, unit, σ, hint, and what is wrong with it. One widget for every field of the table.
 
+use super::note_line::{self, NoteLine};
 use super::text;
 use super::unit_choice::length_unit_choice_ui;
 use crate::app::command::{Command, Helper, Scope};
@@ -8,7 +9,7 @@ use crate::app::theme::{self, FIELD_PARTS_GAP, SIGMA_WIDTH, UNIT_WIDTH};
 use crate::core::quantity::LengthUnit;
 use depth_text::entry::Entry;
 use depth_text::field::Key as FieldKey;
-use depth_text::note::{Note, Part, Severity};
+use depth_text::note::{Note, Part};
 use depth_text::reading::Reading;
 use egui::accesskit::Role;
 use egui::text::{CCursor, CCursorRange};
@@ -69,25 +70,43 @@ pub fn label_ui(ui: &mut Ui, key: FieldKey, helper: Option<Helper>, commands: &m
 impl Field<'_> {
     /// Draws the field, as high as the controls of `ui`.
     pub fn ui(mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
-        let label = label_ui(ui, self.key, self.helper, commands);
-        ui.horizontal(|ui| {
-            ui.spacing_mut().item_spacing.x = FIELD_PARTS_GAP;
-            self.text_ui(ui, &label, commands);
-            self.unit_ui(ui, commands);
-            if self.with_sigma {
-                self.sigma_ui(ui, commands);
+        note_line::follow_click(ui, self.id);
+        // Also in the frame in which Tab leads out of it: only what is drawn then can get the focus.
+        let was_in_use = self.has_focus(ui);
+        ui.vertical(|ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            let label = label_ui(ui, self.key, self.helper, commands);
+            ui.add_space(theme::STEP);
+            let texts = ui.horizontal(|ui| {
+                ui.spacing_mut().item_spacing.x = FIELD_PARTS_GAP;
+                self.text_ui(ui, &label, commands);
+                let unit = self.unit_ui(ui, commands);
+                if self.with_sigma {
+                    self.sigma_ui(ui, commands);
+                }
+                unit.is_some_and(|unit| unit.has_focus() || unit.lost_focus())
+            });
+            NoteLine {
+                id: self.id,
+                hint: self.key.hint,
+                notes: self.notes(),
+                field: texts.response.rect.with_min_y(label.rect.top()),
+                is_in_use: was_in_use || texts.inner || self.has_focus(ui),
             }
+            .ui(ui, commands);
         });
-        if !self.key.hint.is_empty() {
-            text::caption_ui(ui, self.key.hint);
-        }
-        for note in &self.notes {
-            let about = match note.part {
-                Part::Value => self.id,
-                Part::Sigma => self.sigma_id(),
-            };
-            note_ui(ui, note, about, commands);
-        }
+    }
+
+    /// Whether one of its texts has the focus.
+    fn has_focus(&self, ui: &Ui) -> bool {
+        ui.memory(|memory| memory.has_focus(self.id) || memory.has_focus(self.sigma_id()))
+    }
+
+    /// What is to be said, the value first, each with the id of the text that it is about.
+    fn notes(&self) -> Vec<(&Note, Id)> {
+        let of = |part, id| self.note(part).map(|note| (note, id));
+        let sigma = of(Part::Sigma, self.sigma_id());
+        of(Part::Value, self.id).into_iter().chain(sigma).collect()
     }
 
     fn sigma_id(&self) -> Id {
@@ -105,7 +124,7 @@ impl Field<'_> {
         let sigma_width = if self.with_sigma { SIGMA_WIDTH + FIELD_PARTS_GAP } else { 0.0 };
         let width = ui.available_width() - UNIT_WIDTH - FIELD_PARTS_GAP - sigma_width;
         let size = vec2(width, ui.spacing().interact_size.y);
-        let color = self.note(Part::Value).map(|note| border_color(ui, note));
+        let color = self.note(Part::Value).map(|note| text::note_color(ui, note.severity));
         let output = ui
             .scope(|ui| {
                 border_ui(ui, color);
@@ -166,19 +185,21 @@ impl Field<'_> {
         }
     }
 
-    fn unit_ui(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
+    /// Returns the choice of the unit, where there is one.
+    fn unit_ui(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) -> Option<Response> {
         let Some(mut unit) = self.length_unit() else {
             self.fixed_unit_ui(ui);
-            return;
+            return None;
         };
         let before = unit;
         let name = format!("Unit of {}", self.key.name);
-        length_unit_choice_ui(ui, (self.id, "unit"), &name, &mut unit, UNIT_WIDTH);
+        let choice = length_unit_choice_ui(ui, (self.id, "unit"), &name, &mut unit, UNIT_WIDTH);
         if unit != before {
             self.entry.tidy(self.key);
             self.entry.unit = Some(unit);
             commands.push(Command::Settle);
         }
+        Some(choice)
     }
 
     /// The unit of length that holds; `None` where there is no choice.
@@ -213,7 +234,7 @@ impl Field<'_> {
         if takes_enter && ui.input_mut(|input| Command::Calculate.take_keys(input, &[Scope::Field])) {
             commands.push(Command::Calculate);
         }
-        let color = self.note(Part::Sigma).map(|note| border_color(ui, note));
+        let color = self.note(Part::Sigma).map(|note| text::note_color(ui, note.severity));
         let response = ui
             .scope(|ui| {
                 border_ui(ui, color);
@@ -242,33 +263,11 @@ impl Field<'_> {
     }
 }
 
-fn border_color(ui: &Ui, note: &Note) -> egui::Color32 {
-    let palette = theme::palette(ui);
-    match note.severity {
-        Severity::Error => palette.red,
-        Severity::Warning => palette.amber,
-    }
-}
-
 /// Gives the next field in `ui` the border of what is wrong with it.
 fn border_ui(ui: &mut Ui, color: Option<egui::Color32>) {
     if let Some(color) = color {
         let widgets = &mut ui.visuals_mut().widgets;
         widgets.inactive.bg_stroke = Stroke::new(theme::STRONG_LINE, color);
         widgets.hovered.bg_stroke = Stroke::new(theme::STRONG_LINE, color);
-    }
-}
-
-fn note_ui(ui: &mut Ui, note: &Note, about: Id, commands: &mut Vec<Command>) {
-    text::note_ui(ui, note.severity, &note.message(), Some(about));
-    if !note.fixes.is_empty() {
-        ui.horizontal_wrapped(|ui| {
-            let height = ui.spacing().interact_size.y;
-            for fix in &note.fixes {
-                if ui.add(Button::new(fix.label()).min_size(vec2(0.0, height))).clicked() {
-                    commands.push(Command::Fix(note.key, fix.entry.clone()));
-                }
-            }
-        });
     }
 }

@@ -3,6 +3,7 @@
 pub mod bottom_bar;
 pub mod cards;
 pub mod field;
+mod note_line;
 pub mod picture;
 pub mod plot;
 pub mod progress;

@@ -34,23 +34,36 @@ pub fn announce(ui: &Ui, response: &Response) {
 }
 
 /// An error or a warning below the field `about`: a live region, and the description of that field.
-pub fn note_ui(ui: &mut Ui, severity: Severity, sentence: &str, about: Option<Id>) -> Response {
+pub fn note_ui(ui: &mut Ui, severity: Severity, sentence: &str, about: Id) -> Response {
+    let color = note_color(ui, severity);
+    let said = ui.label(RichText::new(note(sentence)).size(theme::SMALL_SIZE).color(color));
+    describe_by_note(ui, &said, severity, about);
+    said
+}
+
+/// The words of a note that says `sentence`.
+pub fn note(sentence: &str) -> String {
+    format!("⚠ {sentence}")
+}
+
+/// The color of a note.
+pub fn note_color(ui: &Ui, severity: Severity) -> egui::Color32 {
     let palette = theme::palette(ui);
-    let color = match severity {
+    match severity {
         Severity::Error => palette.red,
         Severity::Warning => palette.amber,
-    };
-    let said = ui.label(RichText::new(format!("⚠ {sentence}")).size(theme::SMALL_SIZE).color(color));
-    announce(ui, &said);
-    if let Some(field) = about {
-        ui.accesskit_node_builder(field, |node| {
-            node.set_described_by(vec![said.id.accesskit_id()]);
-            if severity == Severity::Error {
-                node.set_invalid(Invalid::True);
-            }
-        });
     }
-    said
+}
+
+/// Makes the note `said` a live region and the description of the field `about`.
+pub fn describe_by_note(ui: &Ui, said: &Response, severity: Severity, about: Id) {
+    announce(ui, said);
+    ui.accesskit_node_builder(about, |node| {
+        node.set_described_by(vec![said.id.accesskit_id()]);
+        if severity == Severity::Error {
+            node.set_invalid(Invalid::True);
+        }
+    });
 }
 
 /// A button that looks like a link, for secondary actions.

@@ -2,10 +2,16 @@
 
 use crate::core::quantity::LengthUnit;
 use depth_text::names::Named as _;
-use egui::{ComboBox, Ui};
+use egui::{ComboBox, Response, Ui};
 
 /// A choice among the units of length, named `name`.
-pub fn length_unit_choice_ui(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::Debug, name: &str, unit: &mut LengthUnit, width: f32) {
+pub fn length_unit_choice_ui(
+    ui: &mut Ui,
+    id: impl std::hash::Hash + std::fmt::Debug,
+    name: &str,
+    unit: &mut LengthUnit,
+    width: f32,
+) -> Response {
     ComboBox::from_id_salt(id)
         .width(width)
         .selected_text(unit.symbol())
@@ -19,5 +25,5 @@ pub fn length_unit_choice_ui(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::D
             }
         })
         .response
-        .accessible_name(name);
+        .accessible_name(name)
 }

@@ -9,7 +9,7 @@ use super::caret::selection;
 use super::elements::Elements;
 use super::host::{self, Host};
 use super::options::Options;
-use super::signals::{CARET_MOVED, FOCUSED, LEAVING, TOUCHED, VISITED, act};
+use super::signals::{CARET_MOVED, FOCUSED, LEAVING, TOUCHED, VISITED, act, has_value_waiting, waiting_focus};
 use crate::announce::{Announcement, announcements};
 use crate::caret::text_position;
 use crate::describe::Tree;
@@ -96,6 +96,11 @@ impl Dom {
 
     pub(crate) fn page(&self) -> &Page {
         &self.page
+    }
+
+    /// Where egui's focus is, or will be when egui has had all that it was sent.
+    pub(crate) fn coming_focus(&self) -> Option<NodeId> {
+        waiting_focus().or_else(|| self.page.focus())
     }
 
     /// Is it the canvas, or what stands for it while text is edited?
@@ -192,7 +197,9 @@ impl Dom {
 
     /// Where the application did not take what was typed, puts back what it has.
     fn settle_inputs(&self) {
-        for id in TOUCHED.take() {
+        let (waiting, settled): (Vec<_>, Vec<_>) = TOUCHED.take().into_iter().partition(|id| has_value_waiting(*id));
+        TOUCHED.set(waiting);
+        for id in settled {
             if let Some(value) = self.page.get(id).and_then(|element| element.value.as_deref()) {
                 self.elements.set_value(id, value);
             }
@@ -213,6 +220,13 @@ impl Dom {
 
     /// Puts the browser's focus, which was on `held`, where it belongs now, and never leaves it nowhere.
     fn follow_focus(&self, old: &Page, held: &element::Element, moved: bool) {
+        // The person is ahead of egui, which has yet to come to where they are.
+        if waiting_focus() == Some(held.id) && self.page.can_take_focus(held.id) {
+            if moved {
+                self.focus_quietly(held.id);
+            }
+            return;
+        }
         match destination(old, &self.page, held, &VISITED.with_borrow(Vec::clone)) {
             Destination::FollowEgui(id) => self.focus_quietly(id),
             Destination::LeadEgui(id) => {

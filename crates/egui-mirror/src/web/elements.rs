@@ -7,7 +7,7 @@ use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{Document, Element, HtmlElement, HtmlInputElement, HtmlTextAreaElement, Node};
 
 use super::host;
-use super::signals::{COMPOSING, QUIET};
+use super::signals::{COMPOSING, QUIET, has_value_waiting};
 use crate::diff::Edit;
 use crate::element::{Place, element_id};
 
@@ -71,8 +71,9 @@ impl Elements {
 
     /// Replaces the content of an input, unless it is that already.
     pub(crate) fn set_value(&self, id: NodeId, value: &str) {
-        // Writing into a field in the middle of a composition would end it.
-        if COMPOSING.get() == Some(id) {
+        // Writing into a field in the middle of a composition would end it. And what a person has typed that egui has yet to hear of
+        // must not be replaced by what egui had before.
+        if COMPOSING.get() == Some(id) || has_value_waiting(id) {
             return;
         }
         let Some(element) = self.get(id) else { return };

@@ -69,7 +69,7 @@ fn focus_came(event: &Event) {
     }
     let _ = with(|mirror| {
         let dom = &mirror.dom;
-        if dom.page().focus() != Some(id) {
+        if dom.coming_focus() != Some(id) {
             act(dom.ctx(), id, Action::Focus, None);
         }
         if dom.is_out_of_sight(id) {
@@ -146,7 +146,7 @@ fn typed(event: &Event) {
             Kind::Button | Kind::Check | Kind::Other => None,
         };
         let Some(data) = data else { return };
-        if is_focused && dom.page().focus() != Some(id) {
+        if is_focused && dom.coming_focus() != Some(id) {
             act(dom.ctx(), id, Action::Focus, None);
         }
         act(dom.ctx(), id, Action::SetValue, Some(data));

@@ -31,7 +31,7 @@ pub(crate) fn pressed(event: &Event, id: NodeId) {
                     event.prevent_default();
                 }
                 // egui let go of its focus on Escape or Enter, but the person is still here.
-                if dom.page().focus() != Some(id) && key != "Escape" {
+                if dom.coming_focus() != Some(id) && key != "Escape" {
                     act(dom.ctx(), id, Action::Focus, None);
                 }
                 press(dom.ctx(), event, modifiers, element.kind);

@@ -9,7 +9,7 @@ use super::events;
 use super::gate::Gate;
 use super::installed::{Installed, install, with, with_mut};
 use super::options::Options;
-use super::signals::{FOCUSED, QUEUE};
+use super::signals::{self, FOCUSED, QUEUE};
 
 /// The accessible mirror. There is one in a page.
 #[derive(Clone, Copy, Debug)]
@@ -68,6 +68,7 @@ impl egui::Plugin for Plugin {
     }
 
     fn output_hook(&mut self, ctx: &egui::Context, output: &mut egui::FullOutput) {
+        signals::pass_ended(ctx);
         // A pass that egui is going to repeat says nothing yet.
         let platform = &mut output.platform_output;
         let passes = ctx.options(|options| options.max_passes.get());

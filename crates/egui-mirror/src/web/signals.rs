@@ -19,6 +19,9 @@ thread_local! {
     pub(crate) static COMPOSING: Cell<Option<NodeId>> = const { Cell::new(None) };
     /// Fields that were typed into since the last frame.
     pub(crate) static TOUCHED: RefCell<Vec<NodeId>> = const { RefCell::new(Vec::new()) };
+    /// The requests to move the focus and to set a value that egui has not had in a pass yet, the latest last. The application may hold
+    /// events back for later passes.
+    static WAITING: RefCell<Vec<(NodeId, Action)>> = const { RefCell::new(Vec::new()) };
     /// The caret of the focused field may have moved.
     pub(crate) static CARET_MOVED: Cell<bool> = const { Cell::new(false) };
 }
@@ -52,5 +55,46 @@ pub(crate) fn act(ctx: &egui::Context, id: NodeId, action: Action, data: Option<
         target_node: id,
         data,
     };
+    if matches!(action, Action::Focus | Action::SetValue) {
+        WAITING.with_borrow_mut(|waiting| waiting.push((id, action)));
+    }
     send(ctx, [egui::Event::AccessKitActionRequest(request)]);
+}
+
+/// Notes which requests egui has had in the pass that has just ended. Where nothing is going to happen in egui any more, none is waited
+/// for: then the application has dropped it.
+pub(crate) fn pass_ended(ctx: &egui::Context) {
+    if !ctx.has_requested_repaint() {
+        WAITING.take();
+        return;
+    }
+    WAITING.with_borrow_mut(|waiting| {
+        if waiting.is_empty() {
+            return;
+        }
+        ctx.input(|input| {
+            for event in &input.events {
+                let egui::Event::AccessKitActionRequest(had) = event else {
+                    continue;
+                };
+                let request = (had.target_node, had.action);
+                if let Some(at) = waiting.iter().position(|other| *other == request) {
+                    waiting.remove(at);
+                }
+            }
+        });
+    });
+}
+
+/// Is egui yet to be told what stands in this field?
+pub(crate) fn has_value_waiting(id: NodeId) -> bool {
+    WAITING.with_borrow(|waiting| waiting.contains(&(id, Action::SetValue)))
+}
+
+/// Where egui is yet to move its focus to.
+pub(crate) fn waiting_focus() -> Option<NodeId> {
+    WAITING.with_borrow(|waiting| {
+        let mut latest_first = waiting.iter().rev();
+        latest_first.find(|(_, action)| *action == Action::Focus).map(|(id, _)| *id)
+    })
 }

@@ -45,7 +45,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, read: Option<&Result<StereoGeome
             squares_ui(ui, cx, geometry, square);
         }
         Some(Err(issue)) => {
-            text::note_ui(ui, Severity::Error, &issue.to_string(), Some(field.id));
+            text::note_ui(ui, Severity::Error, &issue.to_string(), field.id);
         }
         None => copy_ui(ui, cx),
     }
@@ -71,7 +71,7 @@ fn geometry_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, 
     let baseline = significant(geometry.baseline, 6);
     ui.label(Hint::QMatrixContents { geometry: *geometry }.to_string());
     if geometry.swapped {
-        text::note_ui(ui, Severity::Warning, &Issue::QMatrixSwapped.to_string(), Some(field));
+        text::note_ui(ui, Severity::Warning, &Issue::QMatrixSwapped.to_string(), field);
     }
     ui.add_space(theme::STEP);
     ui.label(
