@@ -51,6 +51,8 @@ pub enum Command {
     Follow(String),
     /// Replace what was typed into a field by what a note offered.
     Fix(FieldKey, Entry),
+    /// Open the helper for the focal length at this way, with this multiple of the image's width.
+    AskForWidth(&'static str, Entry),
     /// Move the point on the curve to this disparity, px; all moves until [`Command::Settle`] are one undo step.
     DragDisparity(f64),
     /// An edit is complete: a drag ended, a field was left.
@@ -94,7 +96,7 @@ impl Command {
             Self::Theme(ThemePreference::Light) => "Light",
             Self::Theme(ThemePreference::Dark) => "Dark",
             Self::ShowDialog(None) | Self::Dismiss => "Close",
-            Self::Open(..) | Self::Follow(_) | Self::Fix(..) | Self::DragDisparity(_) | Self::Settle => "",
+            Self::Open(..) | Self::Follow(_) | Self::Fix(..) | Self::AskForWidth(..) | Self::DragDisparity(_) | Self::Settle => "",
         }
     }
 

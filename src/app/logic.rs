@@ -75,6 +75,11 @@ impl App {
                 }
             }
             Command::Fix(key, entry) => self.fix(ctx, key, entry),
+            Command::AskForWidth(way, multiple) => {
+                self.settings.entries.fill(fields::MULTIPLE, multiple);
+                self.calculator.open_way(&mut self.settings.ways, way);
+                ctx.memory_mut(|memory| memory.request_focus(field::id(fields::FRAME_WIDTH)));
+            }
             Command::DragDisparity(disparity) => self.session.inputs.entry_mut(Field::Disparity).text = number::plain(disparity),
             Command::ShowDialog(dialog) => self.dialog = dialog,
             Command::Help(helper) => self.calculator.helper = helper,

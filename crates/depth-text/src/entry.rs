@@ -75,6 +75,22 @@ impl Entry {
         }
     }
 
+    /// Chooses `unit` for the field `key` and keeps the typed number, without squares of a board behind it.
+    pub fn choose_unit(&mut self, key: Key, unit: LengthUnit) {
+        if let Some((number, _)) = self.text.split_once("square") {
+            self.text = number.trim().to_owned();
+        }
+        self.tidy(key);
+        self.unit = Some(unit);
+        self.unit_was_typed = false;
+    }
+
+    /// Makes the typed number one of squares of a board, whose size is then asked for.
+    pub fn choose_squares(&mut self, key: Key) {
+        self.tidy(key);
+        self.text = format!("{} squares of ", self.text.trim());
+    }
+
     /// Everything that was typed or chosen; `None` where that is nothing.
     fn content(&self, key: Key) -> Option<(&str, Option<LengthUnit>, &str)> {
         let unit = self.unit.filter(|&unit| key.kind.length_unit() != Some(unit));

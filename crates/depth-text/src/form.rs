@@ -114,10 +114,7 @@ impl Inputs {
     /// read.
     pub fn choose_unit(&mut self, key: impl Into<Key>, unit: LengthUnit) {
         let key = key.into();
-        self.tidy(key);
-        let entry = self.entry_mut(key);
-        entry.unit = Some(unit);
-        entry.unit_was_typed = false;
+        self.entry_mut(key).choose_unit(key, unit);
     }
 
     /// Counts the last typed digit of the field `key` up or down by `steps`; see [`Entry::step`].

@@ -84,6 +84,11 @@ impl Note {
 }
 
 impl Issue {
+    /// Whether it asks for the size of the squares of a board.
+    pub const fn is_size_of_squares(&self) -> bool {
+        matches!(self, Self::SizeOfSquares { .. })
+    }
+
     /// The part of the field that it is about.
     pub const fn part(&self) -> Part {
         match self {
@@ -128,16 +133,26 @@ impl Issue {
 /// A correction offered beside a note.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fix {
-    /// What to write on its button behind "Use": the number with its unit.
+    /// What to write on its button behind "Use": the number with its unit; of a way, all of it.
     pub value: String,
     /// What the field becomes; its σ stays.
     pub entry: Entry,
+    /// The key of the way to a focal length that asks for the rest, where the number alone is not enough.
+    pub way: Option<&'static str>,
 }
 
 impl Fix {
+    /// The correction that makes `entry` of the field, offered as `value`.
+    pub const fn new(value: String, entry: Entry) -> Self {
+        Self { value, entry, way: None }
+    }
+
     /// The text of its button.
     pub fn label(&self) -> String {
-        format!("Use {}", self.value)
+        match self.way {
+            Some(_) => self.value.clone(),
+            None => format!("Use {}", self.value),
+        }
     }
 }
 

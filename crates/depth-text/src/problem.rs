@@ -193,15 +193,9 @@ fn unusual(key: Key, field: Field, reading: Option<&Reading>) -> Note {
         return Note::warning(key, Issue::Unusual { key });
     };
     let number = reading.number_text.clone();
-    let fix = Fix {
-        value: format!("{number} {}", better.symbol()),
-        entry: Entry::new(number.clone(), Some(better)),
-    };
+    let fix = Fix::new(format!("{number} {}", better.symbol()), Entry::new(number.clone(), Some(better)));
     if field == Field::Baseline && may_be_squares(reading.number) {
-        let squares = Fix {
-            value: "squares of … mm".to_owned(),
-            entry: Entry::new(format!("{number} squares of "), None),
-        };
+        let squares = Fix::new("squares of … mm".to_owned(), Entry::new(format!("{number} squares of "), None));
         return Note::warning(key, Issue::UnusualUnitOrSquares { number, unit, better }).with_fixes(vec![fix, squares]);
     }
     Note::warning(key, Issue::UnusualUnit { key, number, unit, better }).with_fixes(vec![fix])
@@ -216,7 +210,15 @@ fn multiple_of_width(key: Key, reading: &Reading) -> Note {
     let view = |width: f64| field_of_view(Pixels::new(reading.value), Pixels::new(width / 2.0), Pixels::new(width));
     let (of_width, of_half) = (view(1.0), view(2.0));
     let number = reading.number_text.clone();
-    Note::warning(key, Issue::MultipleOfWidth { number, of_width, of_half })
+    let fixes = [
+        ("Multiply by the width…", "multiple-of-width"),
+        ("Multiply by half of it…", "multiple-of-half-width"),
+    ];
+    let fixes = fixes.map(|(label, way)| Fix {
+        way: Some(way),
+        ..Fix::new(label.to_owned(), Entry::new(number.clone(), None))
+    });
+    Note::warning(key, Issue::MultipleOfWidth { number, of_width, of_half }).with_fixes(fixes.into())
 }
 
 /// Whether a baseline looks like OpenCV's translation in squares of the board: a few, and not a whole number of them.

@@ -56,7 +56,7 @@ pub(crate) fn with_opposite_sign(reading: &Reading) -> Fix {
         },
         _ => Entry::new(value.clone(), None),
     };
-    Fix { value, entry }
+    Fix::new(value, entry)
 }
 
 /// Reads the value in `entry` of the field `key`; `None` where nothing was typed. The σ is left to [`read_sigma`].
@@ -188,9 +188,8 @@ fn unreadable(key: Key, entry: &Entry, error: NumberError) -> Note {
             few: few.clone(),
         },
     };
-    let fixes = readings.into_iter().map(|reading| Fix {
-        value: reading.clone(),
-        entry: Entry::new(reading, entry.unit),
-    });
+    let fixes = readings
+        .into_iter()
+        .map(|reading| Fix::new(reading.clone(), Entry::new(reading, entry.unit)));
     Note::error(key, issue).with_fixes(fixes.collect())
 }

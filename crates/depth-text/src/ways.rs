@@ -304,10 +304,7 @@ fn degrees_or_radians(reading: &Reading) -> Note {
     let number = reading.number_text.clone();
     let fixes = [" rad", "°"].map(|unit| {
         let value = format!("{number}{unit}");
-        Fix {
-            entry: Entry::new(value.clone(), None),
-            value,
-        }
+        Fix::new(value.clone(), Entry::new(value, None))
     });
     Note::error(reading.key, Issue::DegreesOrRadians { number }).with_fixes(fixes.into())
 }

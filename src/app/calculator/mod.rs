@@ -15,6 +15,7 @@ mod unknown;
 
 use super::command::Helper;
 use super::context::AppContext;
+use super::saved::Ways;
 use super::session::Session;
 use super::theme::{self, Layout};
 use super::widgets::cards::{self, Row};
@@ -113,6 +114,12 @@ impl Calculator {
             Some(key) => ctx.memory_mut(|memory| memory.request_focus(field::id(key))),
             None => self.reveal_results(ctx),
         }
+    }
+
+    /// Opens the helper for the focal length at the way with this key.
+    pub fn open_way(&mut self, ways: &mut Ways, way: &str) {
+        helpers::choose(ways, Helper::FocalLength, way);
+        self.helper = Some(Helper::FocalLength);
     }
 
     /// Scrolls to the results on a phone, where the form may hide them.

@@ -2,15 +2,15 @@
 
 use super::note_line::{self, NoteLine};
 use super::text;
-use super::unit_choice::length_unit_choice_ui;
+use super::unit_choice::{TypedUnit, typed_unit_choice_ui};
 use crate::app::command::{Command, Helper, Scope};
 use crate::app::sentences::Hint;
 use crate::app::theme::{self, FIELD_PARTS_GAP, SIGMA_WIDTH, UNIT_WIDTH};
-use crate::core::quantity::LengthUnit;
 use depth_text::entry::Entry;
 use depth_text::field::Key as FieldKey;
 use depth_text::note::{Note, Part};
 use depth_text::reading::Reading;
+use depth_text::unit::Unit;
 use egui::accesskit::Role;
 use egui::text::{CCursor, CCursorRange};
 use egui::{Align, Button, Id, Key, Modifiers, Response, RichText, Sense, Stroke, TextEdit, Ui, vec2};
@@ -187,26 +187,37 @@ impl Field<'_> {
 
     /// Returns the choice of the unit, where there is one.
     fn unit_ui(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) -> Option<Response> {
-        let Some(mut unit) = self.length_unit() else {
+        let Some(mut unit) = self.typed_unit() else {
             self.fixed_unit_ui(ui);
             return None;
         };
         let before = unit;
         let name = format!("Unit of {}", self.key.name);
-        let choice = length_unit_choice_ui(ui, (self.id, "unit"), &name, &mut unit, UNIT_WIDTH);
+        let choice = typed_unit_choice_ui(ui, (self.id, "unit"), &name, &mut unit, UNIT_WIDTH);
         if unit != before {
-            self.entry.tidy(self.key);
-            self.entry.unit = Some(unit);
+            match unit {
+                TypedUnit::Length(unit) => self.entry.choose_unit(self.key, unit),
+                TypedUnit::Squares => {
+                    self.entry.choose_squares(self.key);
+                    // Their size is still to be typed.
+                    ui.memory_mut(|memory| memory.request_focus(self.id));
+                }
+            }
             commands.push(Command::Settle);
         }
         Some(choice)
     }
 
-    /// The unit of length that holds; `None` where there is no choice.
-    fn length_unit(&self) -> Option<LengthUnit> {
+    /// The unit that holds; `None` where there is no choice.
+    fn typed_unit(&self) -> Option<TypedUnit> {
         let default = self.key.kind.length_unit()?;
-        let read = self.reading.and_then(|reading| reading.unit?.length());
-        Some(read.or(self.entry.unit).unwrap_or(default))
+        let read = self.reading.and_then(|reading| reading.unit);
+        let is_in_squares = matches!(read, Some(Unit::Square(_))) || self.notes.iter().any(|note| note.issue.is_size_of_squares());
+        if is_in_squares {
+            return Some(TypedUnit::Squares);
+        }
+        let length = read.and_then(Unit::length).or(self.entry.unit);
+        Some(TypedUnit::Length(length.unwrap_or(default)))
     }
 
     /// The unit of a field without a choice, where it has one.

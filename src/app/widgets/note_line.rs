@@ -80,7 +80,7 @@ impl NoteLine<'_> {
             let response = self.inline_fix_ui(ui, fix_rect, fix);
             fix_has_focus |= response.has_focus();
             if response.clicked() {
-                commands.push(Command::Fix(first.key, fix.entry.clone()));
+                commands.push(command(first, fix));
             }
         }
         let card = Card {
@@ -227,7 +227,7 @@ impl Card<'_> {
             let response = ui.add(Button::new(name).min_size(vec2(0.0, height)));
             has_focus |= response.has_focus();
             if response.clicked() {
-                commands.push(Command::Fix(note.key, fix.entry.clone()));
+                commands.push(command(note, fix));
             }
         }
         has_focus
@@ -294,6 +294,14 @@ impl Card<'_> {
             ui.painter().galley(at, Arc::clone(text), palette.text);
             at.y += text.size().y + theme::NOTE_CARD_GAP;
         }
+    }
+}
+
+/// What a click on the correction `fix` of `note` asks for.
+fn command(note: &Note, fix: &Fix) -> Command {
+    match fix.way {
+        Some(way) => Command::AskForWidth(way, fix.entry.clone()),
+        None => Command::Fix(note.key, fix.entry.clone()),
     }
 }
 

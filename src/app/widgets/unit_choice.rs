@@ -4,22 +4,74 @@ use crate::core::quantity::LengthUnit;
 use depth_text::names::Named as _;
 use egui::{ComboBox, Response, Ui};
 
-/// A choice among the units of length, named `name`.
-pub fn length_unit_choice_ui(
+/// What can be chosen beside a length that is typed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TypedUnit {
+    /// A unit of length.
+    Length(LengthUnit),
+    /// Squares of a calibration board, whose size is part of the text.
+    Squares,
+}
+
+impl TypedUnit {
+    const ALL: [Self; 6] = {
+        let [a, b, c, d, e] = LengthUnit::ALL;
+        [
+            Self::Length(a),
+            Self::Length(b),
+            Self::Length(c),
+            Self::Length(d),
+            Self::Length(e),
+            Self::Squares,
+        ]
+    };
+
+    /// What stands in the closed list.
+    const fn symbol(self) -> &'static str {
+        match self {
+            Self::Length(unit) => unit.symbol(),
+            Self::Squares => "sq",
+        }
+    }
+
+    fn name(self) -> String {
+        match self {
+            Self::Length(unit) => format!("{}  ({})", unit.symbol(), unit.name()),
+            Self::Squares => "sq  (squares of a calibration board)".to_owned(),
+        }
+    }
+}
+
+/// A choice among the units of results, named `name`.
+pub fn length_unit_choice_ui(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::Debug, name: &str, unit: &mut LengthUnit, width: f32) {
+    let mut chosen = TypedUnit::Length(*unit);
+    let lengths = TypedUnit::ALL.into_iter().filter(|choice| *choice != TypedUnit::Squares);
+    let combo = ComboBox::from_id_salt(id).width(width);
+    choice_ui(ui, combo, name, &mut chosen, lengths);
+    if let TypedUnit::Length(length) = chosen {
+        *unit = length;
+    }
+}
+
+/// A choice among the units of a typed length, named `name`.
+pub fn typed_unit_choice_ui(
     ui: &mut Ui,
     id: impl std::hash::Hash + std::fmt::Debug,
     name: &str,
-    unit: &mut LengthUnit,
+    unit: &mut TypedUnit,
     width: f32,
 ) -> Response {
-    ComboBox::from_id_salt(id)
-        .width(width)
+    let combo = ComboBox::from_id_salt(id).width(width);
+    choice_ui(ui, combo, name, unit, TypedUnit::ALL.into_iter())
+}
+
+fn choice_ui(ui: &mut Ui, combo: ComboBox, name: &str, unit: &mut TypedUnit, choices: impl Iterator<Item = TypedUnit>) -> Response {
+    combo
         .selected_text(unit.symbol())
         .show_ui(ui, |ui| {
-            for choice in LengthUnit::ALL {
-                let name = format!("{}  ({})", choice.symbol(), choice.name());
+            for choice in choices {
                 // Closed explicitly: egui does so only for a click of the pointer.
-                if ui.selectable_value(unit, choice, name).clicked() {
+                if ui.selectable_value(unit, choice, choice.name()).clicked() {
                     ui.close();
                 }
             }

@@ -80,6 +80,11 @@ fn choices(helper: Helper) -> Vec<(&'static str, &'static str)> {
     ways(helper).iter().map(named).chain(q_matrix).collect()
 }
 
+/// Chooses the way with this key in `helper`.
+pub fn choose(made: &mut Ways, helper: Helper, way: &str) {
+    made.insert(key(helper).to_owned(), way.to_owned());
+}
+
 /// The key and name of the choice in `helper`: the one made last, else the first.
 fn chosen(helper: Helper, made: &Ways) -> (&'static str, &'static str) {
     let choices = choices(helper);
