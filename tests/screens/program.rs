@@ -69,6 +69,8 @@ impl Program {
     pub fn press(&mut self, button: &str) {
         self.harness.get_by_label(button).scroll_to_me();
         self.harness.run();
+        // A dialog that has grown is put in the middle in the frame after.
+        self.harness.run_steps(2);
         self.harness.get_by_label(button).click();
         self.harness.run();
     }

@@ -265,7 +265,7 @@ fn a_q_matrix_looks_as_before() {
 fn what_a_q_matrix_filled_in_a_notice_and_a_choice_of_units_look_as_before() {
     look("doffs", &TOP, |program| {
         type_q_matrix(program);
-        program.press("100.000 mm");
+        program.press("100 mm");
         program
             .harness
             .get_by_role_and_label(Role::ComboBox, &format!("Unit of {B}"))

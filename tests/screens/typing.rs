@@ -104,7 +104,10 @@ fn places(program: &Program) -> BTreeMap<String, Rect> {
     let parts = form.children_recursive().filter(|node| {
         let role = node.accesskit_node().role();
         // Corrections belong to the notes.
-        let is_fix = node.accesskit_node().label().is_some_and(|name| name.starts_with("Use "));
+        let is_fix = node
+            .accesskit_node()
+            .label()
+            .is_some_and(|name| name.starts_with("Use ") || name.starts_with("Multiply "));
         !is_fix
             && matches!(
                 role,

@@ -82,15 +82,15 @@ impl Display for Hint {
                 f,
                 "fx {} px, baseline {}, doffs {} px, principal point ({}, {}) px",
                 plain(geometry.focal_length.px()),
-                significant(geometry.baseline, 6),
+                plain(geometry.baseline),
                 plain(geometry.doffs.px()),
-                significant(geometry.cx.px(), 6),
-                significant(geometry.cy.px(), 6)
+                plain(geometry.cx.px()),
+                plain(geometry.cy.px())
             ),
             Self::QMatrixUnit { baseline } => write!(
                 f,
                 "A Q matrix carries no unit. In which unit is the baseline {}?",
-                significant(*baseline, 6)
+                plain(*baseline)
             ),
             Self::MethodNeeds { method } => {
                 let [first, second, third] = method.fields().map(|field| Key::from(field).symbol);

@@ -14,7 +14,7 @@ use depth_text::entry::Entry;
 use depth_text::fields;
 use depth_text::form::Inputs;
 use depth_text::note::{Issue, Note, Severity};
-use depth_text::number::{plain, significant};
+use depth_text::number::plain;
 use depth_text::reading::Reading;
 use depth_text::unit::Unit;
 use egui::{Button, Id, RichText, TextEdit, Ui, vec2};
@@ -68,7 +68,7 @@ fn copy_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
 
 /// What the matrix in `field` says, and what it does not: the unit of the baseline.
 fn geometry_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, field: Id) {
-    let baseline = significant(geometry.baseline, 6);
+    let baseline = plain(geometry.baseline);
     ui.label(Hint::QMatrixContents { geometry: *geometry }.to_string());
     if geometry.swapped {
         text::note_ui(ui, Severity::Warning, &Issue::QMatrixSwapped.to_string(), field);
@@ -111,7 +111,7 @@ fn squares_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, s
     };
     field.ui(ui, cx.commands);
     let height = ui.spacing().interact_size.y;
-    let baseline = significant(geometry.baseline, 6);
+    let baseline = plain(geometry.baseline);
     let square = reading.and_then(|reading| Unit::square(Length::from_m(reading.value)));
     let label = square.map_or_else(|| format!("{baseline} squares"), |unit| format!("{baseline} {unit}"));
     let button = Button::new(label).min_size(vec2(0.0, height));
