@@ -22,7 +22,8 @@
 //! # A frame of the application
 //!
 //! `app::App` is drawn by `app/ui.rs`. A screen is a folder with a function `ui(&mut self, ui: &mut Ui, cx: &mut AppContext)`: it draws
-//! what `cx` holds and adds commands to it. Before the next frame `app/logic.rs` carries the commands out, the one place where they take
+//! what `cx` holds and adds commands to it. Of the events that have happened since, it gets those up to the first that can move the
+//! focus; `app/batches.rs` keeps the others for the next frame. Before the next frame `app/logic.rs` carries the commands out, the one place where they take
 //! effect, then handles the events of the platform, and saves what changed.
 //!
 //! # To change something

@@ -20,8 +20,10 @@ const numbers = (form) => FIELDS.map((_, field) => `${100 + form * 10 + field}`)
 
 /** Fills all forms with `fill`, and returns those in which something else stands than what was typed. */
 async function wrongForms(page, typed, fill) {
-  const elements = await Promise.all(FIELDS.map((name) => page.field(name)));
-  const values = () => page.run('return arguments[0].map((field) => field.value)', elements);
+  // One by one: WebKit's driver does not find elements inside of lists.
+  const elements = [];
+  for (const name of FIELDS) elements.push(await page.field(name));
+  const values = () => page.run('return [...arguments].map((field) => field.value)', ...elements);
   const wrong = [];
   for (let form = 0; form < FORMS; form += 1) {
     await fill(typed(form), elements);
@@ -62,7 +64,8 @@ it('twenty forms are filled in the accessible page without waiting for anything'
   const wrong = await wrongForms(page, texts, async (values, elements) => {
     // Each field gets the keyboard and one letter after the other, all in one task of the browser.
     await page.run(
-      `const [fields, texts] = arguments;
+      `const fields = [...arguments];
+       const texts = fields.pop();
        fields.forEach((field, at) => {
          field.focus();
          field.value = '';
@@ -71,7 +74,7 @@ it('twenty forms are filled in the accessible page without waiting for anything'
            field.dispatchEvent(new InputEvent('input', { bubbles: true, data: letter, inputType: 'insertText' }));
          }
        });`,
-      elements,
+      ...elements,
       values,
     );
   });
