@@ -76,6 +76,7 @@ fn is_typed(event: &Event) -> bool {
 }
 
 #[cfg(test)]
+#[allow(clippy::indexing_slicing, reason = "tests")]
 mod tests {
     use super::*;
     use egui::accesskit::{ActionRequest, NodeId, TreeId};

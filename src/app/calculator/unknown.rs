@@ -60,7 +60,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     }
     ui.add_space(theme::STEP);
     let with_sigma = inputs.with_uncertainty;
-    let note = assessment.unknown.as_ref().and_then(|unknown| distance_note(unknown));
+    let note = assessment.unknown.as_ref().and_then(distance_note);
     let field = FieldWidget {
         key: fields::DISTANCE,
         reading: None,

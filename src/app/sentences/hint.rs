@@ -73,11 +73,6 @@ impl Display for Hint {
         match self {
             Self::Example { key } => write!(f, "e.g. {}", key.example()),
             Self::Field { key } => write_field(f, *key),
-            Self::Sigma => {
-                f.write_str("One standard deviation, in the unit of the value, with a unit of its own, or in percent. Empty: none.")
-            }
-            Self::Solved => f.write_str("Computed from the distance and the other quantities."),
-            Self::QMatrixForms => f.write_str("As numpy or MATLAB prints it, as OpenCV’s YAML, XML or JSON has it, or as sixteen numbers."),
             Self::QMatrixContents { geometry } => write!(
                 f,
                 "fx {} px, baseline {}, doffs {} px, principal point ({}, {}) px",
@@ -87,46 +82,24 @@ impl Display for Hint {
                 plain(geometry.cx.px()),
                 plain(geometry.cy.px())
             ),
-            Self::QMatrixUnit { baseline } => write!(
-                f,
-                "A Q matrix carries no unit. In which unit is the baseline {}?",
-                plain(*baseline)
-            ),
+            Self::QMatrixUnit { baseline } => write!(f, "A Q matrix carries no unit. In which unit is the baseline {}?", plain(*baseline)),
             Self::MethodNeeds { method } => {
                 let [first, second, third] = method.fields().map(|field| Key::from(field).symbol);
-                write!(f, "{}: {} needs {first}, {second} and {third}.", method.name(), formula(*method, false))
+                write!(
+                    f,
+                    "{}: {} needs {first}, {second} and {third}.",
+                    method.name(),
+                    formula(*method, false)
+                )
             }
             Self::StillNeeds { method, needs } => write!(f, "{}: {needs}.", method.name()),
             Self::View { view } => write!(f, "A horizontal field of view of {}°.", significant(view.degrees(), 3)),
-            Self::SquaresOfBoard => f.write_str("Or in squares of the calibration board, if the calibration was not told their size:"),
-            Self::QMatrixCopy => f.write_str("The matrix of the numbers in the form, with the baseline in meters:"),
             Self::TiltIsUsed { without, unit } => write!(
                 f,
                 "The monocular distance has the tilt in it; without, it would be {}.",
                 report::length(Some(*without), *unit)
             ),
-            Self::Combined => f.write_str(report::COMBINED_ESTIMATE),
             Self::OnePixel { range } => write!(f, "{range} with {}", report::ONE_PIXEL),
-            Self::NoBars => f.write_str("The distances of both methods side by side, as soon as one of them is known."),
-            Self::NoCurve => {
-                f.write_str("How fast the distance grows as the disparity shrinks, once focal length and baseline are known.")
-            }
-            Self::NoTopView => {
-                f.write_str("The cameras, their lines of sight and the object from above, as soon as a distance is known.")
-            }
-            Self::ObjectMidway => {
-                f.write_str("The object is drawn midway between the cameras; where it stands sideways needs more than a disparity.")
-            }
-            Self::ObjectAhead => f.write_str("The object is drawn straight ahead of the camera, facing it."),
-            Self::DepthOrRange => f.write_str(
-                "The distance of this program is the depth Z along the optical axis. A tape held at the lens measures the range R, which is longer away from the middle of the image.",
-            ),
-            Self::TiltedTarget => f.write_str(
-                "A target turned away by an angle looks narrower by its cosine, so the monocular method puts it too far away. The distance is that to the plane of the target’s middle, along the optical axis.",
-            ),
-            Self::GroundPlane => f.write_str(
-                "Where the ray of a pixel meets a level floor, or the level plane that the target reaches up to: straight ahead (h − h_target) / tan(θ + atan((v − cy) / fy)). Needs neither a second camera nor a known size. cx, cy and fy are those of Depth or range; the camera has no roll.",
-            ),
             Self::Bias { bias, unit } => write!(
                 f,
                 "Averaging many such distances comes out {} too far: average the pixels, not the distances.",
@@ -139,6 +112,36 @@ impl Display for Hint {
                 f,
                 "{draws} draws of all inputs, the same ones every time. A draw whose pixels are zero or less counts as infinitely far."
             ),
+            _ => f.write_str(self.fixed()),
+        }
+    }
+}
+
+impl Hint {
+    /// The hints without a fact; empty for the others.
+    const fn fixed(&self) -> &'static str {
+        match self {
+            Self::Solved => "Computed from the distance and the other quantities.",
+            Self::QMatrixForms => "As numpy or MATLAB prints it, as OpenCV’s YAML, XML or JSON has it, or as sixteen numbers.",
+            Self::SquaresOfBoard => "Or in squares of the calibration board, if the calibration was not told their size:",
+            Self::QMatrixCopy => "The matrix of the numbers in the form, with the baseline in meters:",
+            Self::Combined => report::COMBINED_ESTIMATE,
+            Self::NoBars => "The distances of both methods side by side, as soon as one of them is known.",
+            Self::ObjectAhead => "The object is drawn straight ahead of the camera, facing it.",
+            Self::DepthOrRange => {
+                "The distance of this program is the depth Z along the optical axis. A tape held at the lens measures the range R, which is longer away from the middle of the image."
+            }
+            Self::TiltedTarget => {
+                "A target turned away by an angle looks narrower by its cosine, so the monocular method puts it too far away. The distance is that to the plane of the target’s middle, along the optical axis."
+            }
+            Self::GroundPlane => {
+                "Where the ray of a pixel meets a level floor, or the level plane that the target reaches up to: straight ahead (h − h_target) / tan(θ + atan((v − cy) / fy)). Needs neither a second camera nor a known size. cx, cy and fy are those of Depth or range; the camera has no roll."
+            }
+            Self::Sigma => "One standard deviation, in the unit of the value, with a unit of its own, or in percent. Empty: none.",
+            Self::NoCurve => "How fast the distance grows as the disparity shrinks, once focal length and baseline are known.",
+            Self::NoTopView => "The cameras, their lines of sight and the object from above, as soon as a distance is known.",
+            Self::ObjectMidway => "The object is drawn midway between the cameras; where it stands sideways needs more than a disparity.",
+            _ => "",
         }
     }
 }

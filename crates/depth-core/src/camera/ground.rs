@@ -76,6 +76,106 @@ struct Partials {
     per_slope_right: f64,
 }
 
+/// The ray of a point that meets its plane.
+struct Ray {
+    /// (u − cx)/fx
+    x: f64,
+    /// (v − cy)/fy
+    y: f64,
+    /// Height of the camera above the plane, m; negative below it.
+    h: f64,
+    /// cos θ
+    cos: f64,
+    /// How far the ray (x, y, 1) goes down: sin θ + y·cos θ.
+    down: f64,
+    /// How far it goes ahead: cos θ − y·sin θ.
+    forward: f64,
+    /// At which multiple of (x, y, 1) it meets the plane, m.
+    s: f64,
+    sigmas: Sigmas,
+}
+
+/// The σ of what a ray depends on.
+struct Sigmas {
+    height: f64,
+    pitch: f64,
+    slope: f64,
+    /// What the focal length does to both slopes, together.
+    focal_slope: f64,
+    focal_slope_right: f64,
+}
+
+impl Ray {
+    fn ahead(&self) -> Partials {
+        let Self {
+            y, h, down, forward, s, ..
+        } = *self;
+        Partials {
+            value: s * forward,
+            per_meter_of_height: s * forward / h,
+            per_radian_of_pitch: -(s / down) * (1.0 + y * y),
+            per_slope: -s / down,
+            per_slope_right: 0.0,
+        }
+    }
+
+    fn right(&self) -> Partials {
+        let Self {
+            x,
+            h,
+            cos,
+            down,
+            forward,
+            s,
+            ..
+        } = *self;
+        Partials {
+            value: s * x,
+            per_meter_of_height: s * x / h,
+            per_radian_of_pitch: -(s / down) * x * forward,
+            per_slope: -(s / down) * x * cos,
+            per_slope_right: s,
+        }
+    }
+
+    fn slant(&self) -> Partials {
+        let Self {
+            x,
+            y,
+            h,
+            cos,
+            down,
+            forward,
+            s,
+            ..
+        } = *self;
+        let length = root_sum_of_squares(&[1.0, x, y]);
+        Partials {
+            value: s * length,
+            per_meter_of_height: s * length / h,
+            per_radian_of_pitch: -(s / down) * length * forward,
+            per_slope: -(s / down) * length * cos + s * y / length,
+            per_slope_right: s * x / length,
+        }
+    }
+
+    /// A result with its σ.
+    fn measured(&self, of: &Partials) -> Result<Measured<Length>, Unsolvable> {
+        let sigmas = &self.sigmas;
+        let sigma = root_sum_of_squares(&[
+            of.per_meter_of_height * sigmas.height,
+            of.per_radian_of_pitch * sigmas.pitch,
+            of.per_slope * sigmas.slope,
+            of.per_slope * sigmas.focal_slope + of.per_slope_right * sigmas.focal_slope_right,
+        ]);
+        if of.value.is_finite() && sigma.is_finite() {
+            Ok(Measured::from_base(of.value, sigma))
+        } else {
+            Err(Unsolvable::too_extreme(Term::Distance))
+        }
+    }
+}
+
 impl GroundView {
     /// Where the ray meets the level plane at the height of the point.
     ///
@@ -111,6 +211,20 @@ impl GroundView {
     ///
     /// Source: intersection of the pixel's ray with a plane (Hartley and Zisserman, 8.1); JCGM 100:2008 (GUM), 5.1.2, for σ.
     pub fn solve(&self) -> Result<GroundSolution, Unsolvable> {
+        let ray = self.ray()?;
+        let (ahead, right, slant) = (ray.ahead(), ray.right(), ray.slant());
+        let measured = |of: &Partials| ray.measured(of);
+        Ok(GroundSolution {
+            distance: measured(&along_floor(&ahead, &right))?,
+            ahead: measured(&ahead)?,
+            right: self.right_of_axis.map(|_| measured(&right)).transpose()?,
+            slant: measured(&slant)?,
+            horizon_row: self.horizon_row(),
+        })
+    }
+
+    /// The ray, where it meets the plane.
+    fn ray(&self) -> Result<Ray, Unsolvable> {
         let height = judge::positive_measured(Term::CameraHeight, self.height)?;
         judge::value(Term::TargetHeight, judge::finite(self.target_height.m()))?;
         let pitch = judge::finite_measured(Term::Pitch, self.pitch)?;
@@ -125,7 +239,7 @@ impl GroundView {
             });
         }
         let (sin, cos) = sin_cos(pitch.value);
-        let (down, forward) = (sin + y.value * cos, cos - y.value * sin);
+        let down = sin + y.value * cos;
         // What is left of a horizontal ray by rounding is none of its own.
         let down = if down.abs() <= 4.0 * f64::EPSILON * (1.0 + y.value.abs()) {
             0.0
@@ -137,59 +251,30 @@ impl GroundView {
             return Err(Unsolvable::too_extreme(Term::Distance));
         }
         if !(s.is_finite() && s > 0.0) {
-            let horizon = self.horizon_row();
             let with_opposite_pitch = h / (y.value * cos - sin);
-            let meets_with_opposite_pitch = down != 0.0 && with_opposite_pitch.is_finite() && with_opposite_pitch > 0.0;
             return Err(Unsolvable::MissesPlane {
-                horizon,
-                meets_with_opposite_pitch,
+                horizon: self.horizon_row(),
+                meets_with_opposite_pitch: down != 0.0 && with_opposite_pitch.is_finite() && with_opposite_pitch > 0.0,
             });
         }
-        let length = root_sum_of_squares(&[1.0, x, y.value]);
-        let ahead = Partials {
-            value: s * forward,
-            per_meter_of_height: s * forward / h,
-            per_radian_of_pitch: -(s / down) * (1.0 + y.value * y.value),
-            per_slope: -s / down,
-            per_slope_right: 0.0,
-        };
-        let right = Partials {
-            value: s * x,
-            per_meter_of_height: s * x / h,
-            per_radian_of_pitch: -(s / down) * x * forward,
-            per_slope: -(s / down) * x * cos,
-            per_slope_right: s,
-        };
-        let slant = Partials {
-            value: s * length,
-            per_meter_of_height: s * length / h,
-            per_radian_of_pitch: -(s / down) * length * forward,
-            per_slope: -(s / down) * length * cos + s * y.value / length,
-            per_slope_right: s * x / length,
-        };
-        let distance = along_floor(&ahead, &right);
-        let is_row = matches!(self.below_axis, BelowAxis::Row { .. });
         let focal_length = self.relative_sigma_of_focal_length();
-        let measured = |of: &Partials| {
-            let sigma = root_sum_of_squares(&[
-                of.per_meter_of_height * height.sigma.m(),
-                of.per_radian_of_pitch * pitch.sigma.radians(),
-                of.per_slope * y.sigma,
-                // A longer focal length makes both slopes smaller.
-                of.per_slope * (if is_row { y.value } else { 0.0 }) * focal_length + of.per_slope_right * x * focal_length,
-            ]);
-            if of.value.is_finite() && sigma.is_finite() {
-                Ok(Measured::from_base(of.value, sigma))
-            } else {
-                Err(Unsolvable::too_extreme(Term::Distance))
-            }
-        };
-        Ok(GroundSolution {
-            distance: measured(&distance)?,
-            ahead: measured(&ahead)?,
-            right: self.right_of_axis.map(|_| measured(&right)).transpose()?,
-            slant: measured(&slant)?,
-            horizon_row: self.horizon_row(),
+        let is_row = matches!(self.below_axis, BelowAxis::Row { .. });
+        Ok(Ray {
+            x,
+            y: y.value,
+            h,
+            cos,
+            down,
+            forward: cos - y.value * sin,
+            s,
+            sigmas: Sigmas {
+                height: height.sigma.m(),
+                pitch: pitch.sigma.radians(),
+                slope: y.sigma,
+                // A longer focal length makes both slopes smaller; an angle does not depend on it.
+                focal_slope: if is_row { y.value * focal_length } else { 0.0 },
+                focal_slope_right: x * focal_length,
+            },
         })
     }
 

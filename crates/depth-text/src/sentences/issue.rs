@@ -20,6 +20,7 @@ const DISTANCE_EXAMPLE: &str = "Type a distance above zero, such as 1.4 m.";
 impl Display for Issue {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         value(self, f)
+            .or_else(|| doubtful(self, f))
             .or_else(|| sigma(self, f))
             .or_else(|| missing(self, f))
             .or_else(|| other_ways(self, f))
@@ -69,6 +70,13 @@ fn value(issue: &Issue, f: &mut Formatter<'_>) -> Option<fmt::Result> {
         Issue::DisparityWithDoffs => f.write_str(
             "Disparity and doffs together must be above zero: at zero the object is infinitely far away, below zero left and right may be swapped. Check the sign of doffs.",
         ),
+        _ => return None,
+    })
+}
+
+/// About the value of a field that may be something else than it was taken for.
+fn doubtful(issue: &Issue, f: &mut Formatter<'_>) -> Option<fmt::Result> {
+    Some(match issue {
         Issue::NoMatch { text } => write!(f, "{} {NO_MATCH} There is no distance here.", quoted(text)),
         Issue::NoMatchUsed { text } => write!(f, "{} {NO_MATCH} Used all the same, as doffs makes it possible.", quoted(text)),
         Issue::NegativeBaseline => f.write_str(
