@@ -81,7 +81,7 @@ pub fn needs(inputs: &Inputs, method: Method) -> Option<String> {
 pub struct Row {
     /// What it is.
     pub parameter: String,
-    /// Its value in [`unit`](Self::unit), or [`NO_NUMBER`].
+    /// Its value in [`unit`](Self::unit), or [`NO_NUMBER`](crate::number::NO_NUMBER).
     pub value: String,
     /// "pixels" or "meters".
     pub unit: String,

@@ -58,7 +58,7 @@ pub enum Origin {
 pub struct BestDistance {
     /// Where it is from.
     pub origin: Origin,
-    /// The distance with its own σ: [`Model::own_relative_sigma`].
+    /// The distance with its own σ: [`own_relative_sigma`](crate::uncertainty::Model::own_relative_sigma).
     pub distance: Measured<Length>,
 }
 
