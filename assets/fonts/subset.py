@@ -5,8 +5,9 @@
     Inter-SemiBold.ttf   Inter 600, headings and results
     Symbols.ttf          the few signs that Inter lacks, from DejaVu Sans
 
-Each Inter face followed by Symbols covers every character in `REQUIRED`; the
-script fails when it would not, and when figures would not align.
+Inter-Regular followed by Symbols covers every character in `REQUIRED`, and
+Inter-SemiBold those in `STRONG`, behind which the program puts the other two;
+the script fails when they would not, and when figures would not align.
 
 Inputs, both from the npm registry:
 
@@ -64,6 +65,12 @@ REQUIRED = {chr(c) for c in (*range(0x20, 0x7F), *range(0xA0, 0x100))} | set(
     "⏴⏵⏶⏷"  # egui: arrow keys in shortcuts, the arrow of a submenu
     "\u2007\u2009\u202f"  # figure space, thin space, narrow no-break space
     "\ufffd"  # shown for what cannot be decoded
+)
+
+# What headings, names of fields and results are written in. Anything else, such
+# as an accent that somebody types, falls back to Inter-Regular.
+STRONG = {chr(c) for c in range(0x20, 0x7F)} | set(
+    "–—−…·±×÷°′″²³√≈≠≤≥→←↑↓“”‘’µμαδθσφΔ\u00a0\u2007\u2009\u202f"
 )
 
 # Shapes that must match each other in size come from one font even where Inter
@@ -263,7 +270,8 @@ def check(folder: Path) -> None:
     symbols = set(TTFont(folder / "Symbols.ttf").getBestCmap())
     for style in ("Regular", "SemiBold"):
         path = folder / f"Inter-{style}.ttf"
-        missing = {ord(c) for c in REQUIRED} - set(TTFont(path).getBestCmap()) - symbols
+        wanted = REQUIRED if style == "Regular" else STRONG
+        missing = {ord(c) for c in wanted} - set(TTFont(path).getBestCmap()) - symbols
         if missing:
             raise SystemExit(f"{path.name}: missing {' '.join(f'U+{c:04X}' for c in missing)}")
         width = advances(path, "0")[0]
@@ -294,7 +302,8 @@ def main() -> None:
     covered = set(map(chr, set.intersection(*(set(TTFont(p).getBestCmap()) for p in faces.values()))))
     inter_part = (REQUIRED & covered) - ONE_FAMILY
     for style, source in faces.items():
-        make_inter(source, outputs / f"Inter-{style}.ttf", style, inter_part)
+        part = inter_part if style == "Regular" else inter_part & STRONG
+        make_inter(source, outputs / f"Inter-{style}.ttf", style, part)
     make_symbols(
         find(inputs, "DejaVuSans.ttf"),
         TTFont(outputs / "Inter-Regular.ttf"),

@@ -57,8 +57,12 @@ const VIEW: FieldSpec = FieldSpec {
     ..BLANK
 };
 
-/// An option of the command line: its name, and the help of it and of its σ.
+/// An option of the command line: its name, and the help of it and of its σ. A page has no command line, and need not download
+/// them.
 const fn option(name: &'static str, help: &'static str, sigma_help: &'static str) -> Option<CommandOption> {
+    if cfg!(target_arch = "wasm32") {
+        return None;
+    }
     Some(CommandOption { name, help, sigma_help })
 }
 
@@ -131,51 +135,51 @@ table! {
     FY = FieldSpec {
         key: "fy", name: "Focal length along the columns (fy)", symbol: "fy", noun: "fy", examples: &["700"],
         hint: "Only if it differs from fx.",
-        option: Some(CommandOption {
-            name: "fy",
-            help: "Focal length along the columns; without it, fx",
-            sigma_help: "",
-        }),
+        option: option(
+            "fy",
+            "Focal length along the columns; without it, fx",
+            "",
+        ),
         ..POINT
     };
     /// Column of the principal point.
     CX = FieldSpec {
         key: "cx", name: "Principal point cx", symbol: "cx", noun: "cx", examples: &["640"],
-        option: Some(CommandOption {
-            name: "cx",
-            help: "Column of the principal point, about half the width of the image",
-            sigma_help: "",
-        }),
+        option: option(
+            "cx",
+            "Column of the principal point, about half the width of the image",
+            "",
+        ),
         ..POINT
     };
     /// Row of the principal point.
     CY = FieldSpec {
         key: "cy", name: "Principal point cy", symbol: "cy", noun: "cy", examples: &["360"],
-        option: Some(CommandOption {
-            name: "cy",
-            help: "Row of the principal point, about half the height of the image",
-            sigma_help: "",
-        }),
+        option: option(
+            "cy",
+            "Row of the principal point, about half the height of the image",
+            "",
+        ),
         ..POINT
     };
     /// Column of the pixel whose range is wanted.
     PIXEL_COLUMN = FieldSpec {
         key: "u", name: "Column of the pixel (u)", symbol: "u", noun: "the column of the pixel", examples: &["900"],
-        option: Some(CommandOption {
-            name: "u",
-            help: "Column of the pixel, counted from the left",
-            sigma_help: "",
-        }),
+        option: option(
+            "u",
+            "Column of the pixel, counted from the left",
+            "",
+        ),
         ..POINT
     };
     /// Row of the pixel whose range is wanted.
     PIXEL_ROW = FieldSpec {
         key: "v", name: "Row of the pixel (v)", symbol: "v", noun: "the row of the pixel", examples: &["500"],
-        option: Some(CommandOption {
-            name: "v",
-            help: "Row of the pixel, counted from the top",
-            sigma_help: "",
-        }),
+        option: option(
+            "v",
+            "Row of the pixel, counted from the top",
+            "",
+        ),
         ..POINT
     };
     /// The range that a tape measures, where the depth is wanted.
@@ -183,11 +187,11 @@ table! {
         key: "range", name: "Range by tape (R)", symbol: "R", noun: "the range", examples: &["1.62"],
         kind: Kind::Length(LengthUnit::Meter), has_sigma: true,
         hint: "Only to get the depth from it.",
-        option: Some(CommandOption {
-            name: "range",
-            help: "Range from the lens to what the pixel shows, by tape or laser, to get its depth; bare: in m",
-            sigma_help: "1 σ of the range, such as 5mm or 1%",
-        }),
+        option: option(
+            "range",
+            "Range from the lens to what the pixel shows, by tape or laser, to get its depth; bare: in m",
+            "1 σ of the range, such as 5mm or 1%",
+        ),
         ..POINT
     };
     /// How far the target is turned away.
@@ -195,11 +199,11 @@ table! {
         key: "tilt", name: "Tilt of the target", symbol: "φ", noun: "the tilt", kind: Kind::Angle, examples: &["20"], signed: true,
         hint: "0° is facing the camera.",
         input: Some(Field::Tilt), section: Some(Section::Target), is_optional: true,
-        option: Some(CommandOption {
-            name: "tilt",
-            help: "Angle by which the object is turned away from facing the camera; bare: in degrees",
-            sigma_help: "",
-        }),
+        option: option(
+            "tilt",
+            "Angle by which the object is turned away from facing the camera; bare: in degrees",
+            "",
+        ),
         ..BLANK
     };
     /// Height of the camera above the floor.
@@ -207,11 +211,11 @@ table! {
         key: "camera-height", name: "Height of the camera", symbol: "h", noun: "the height of the camera", examples: &["1.2"],
         kind: Kind::Length(LengthUnit::Meter), has_sigma: true,
         hint: "From the floor to the lens.",
-        option: Some(CommandOption {
-            name: "height",
-            help: "Height of the lens above the floor; bare: in m",
-            sigma_help: "1 σ of the height, such as 5cm or 2%",
-        }),
+        option: option(
+            "height",
+            "Height of the lens above the floor; bare: in m",
+            "1 σ of the height, such as 5cm or 2%",
+        ),
         ..GROUND
     };
     /// Height of the target above the floor.
@@ -219,11 +223,11 @@ table! {
         key: "target-height", name: "Height of the target", symbol: "h_target", noun: "the height of the target", examples: &["0"],
         kind: Kind::Length(LengthUnit::Meter), signed: true,
         hint: "0 is a point on the floor.",
-        option: Some(CommandOption {
-            name: "target-height",
-            help: "Height of the point above the floor, if it does not lie on it; bare: in m",
-            sigma_help: "",
-        }),
+        option: option(
+            "target-height",
+            "Height of the point above the floor, if it does not lie on it; bare: in m",
+            "",
+        ),
         ..GROUND
     };
     /// How far the optical axis points down.
@@ -231,22 +235,22 @@ table! {
         key: "camera-pitch", name: "Pitch of the camera, downwards", symbol: "θ", noun: "the pitch of the camera",
         kind: Kind::Angle, examples: &["10"], signed: true, has_sigma: true,
         hint: "0° is level, 90° straight down.",
-        option: Some(CommandOption {
-            name: "pitch",
-            help: "How far the camera looks down: 0 is level, 90 straight down; bare: in degrees",
-            sigma_help: "1 σ of the pitch, such as 0.5",
-        }),
+        option: option(
+            "pitch",
+            "How far the camera looks down: 0 is level, 90 straight down; bare: in degrees",
+            "1 σ of the pitch, such as 0.5",
+        ),
         ..GROUND
     };
     /// Row at which the point on the floor is seen.
     FLOOR_ROW = FieldSpec {
         key: "floor-row", name: "Row of the point on the floor", symbol: "v", noun: "the row of the point", examples: &["500"],
         has_sigma: true,
-        option: Some(CommandOption {
-            name: "row",
-            help: "Row at which the point is seen",
-            sigma_help: "1 σ of the row, such as 1",
-        }),
+        option: option(
+            "row",
+            "Row at which the point is seen",
+            "1 σ of the row, such as 1",
+        ),
         ..GROUND
     };
     /// Column at which the point on the floor is seen.
@@ -254,11 +258,11 @@ table! {
         key: "floor-column", name: "Column of the point on the floor", symbol: "u", noun: "the column of the point",
         examples: &["1100"],
         hint: "Only to get how far it is to the right; needs cx.",
-        option: Some(CommandOption {
-            name: "u",
-            help: "Column at which the point is seen, to get how far it is to the right",
-            sigma_help: "",
-        }),
+        option: option(
+            "u",
+            "Column at which the point is seen, to get how far it is to the right",
+            "",
+        ),
         ..GROUND
     };
     /// How far below the optical axis the point is seen, instead of its row.
@@ -266,11 +270,11 @@ table! {
         key: "floor-angle", name: "Angle below the optical axis", symbol: "α", noun: "the angle below the axis",
         kind: Kind::Angle, examples: &["11.3"], signed: true,
         hint: "Instead of the row; needs no focal length.",
-        option: Some(CommandOption {
-            name: "angle",
-            help: "Angle of the point below the optical axis, instead of its row; bare: in degrees",
-            sigma_help: "",
-        }),
+        option: option(
+            "angle",
+            "Angle of the point below the optical axis, instead of its row; bare: in degrees",
+            "",
+        ),
         ..GROUND
     };
 
@@ -278,11 +282,11 @@ table! {
     DISTANCE = FieldSpec {
         key: "distance", name: "Distance (D)", symbol: "D", noun: "the distance", examples: &["1.4"], has_sigma: true,
         hint: "The distance along the optical axis, now an input.",
-        option: Some(CommandOption {
-            name: "distance",
-            help: "With --solve-for: the distance along the optical axis; bare: in m",
-            sigma_help: "1 σ of the distance, such as 1cm or 1%",
-        }),
+        option: option(
+            "distance",
+            "With --solve-for: the distance along the optical axis; bare: in m",
+            "1 σ of the distance, such as 1cm or 1%",
+        ),
         ..METERS
     };
 

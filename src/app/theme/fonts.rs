@@ -33,9 +33,10 @@ pub(super) fn install(ctx: &egui::Context) {
     ] {
         fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(bytes)));
     }
-    let chain = |first: &str| vec![first.to_owned(), SYMBOLS.to_owned()];
-    fonts.families.insert(FontFamily::Proportional, chain(REGULAR));
-    fonts.families.insert(FontFamily::Monospace, chain(REGULAR));
-    fonts.families.insert(semibold(), chain(SEMI));
+    // Inter SemiBold has what headings, names and results need; what somebody types may have other signs.
+    let chain = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
+    fonts.families.insert(FontFamily::Proportional, chain(&[REGULAR, SYMBOLS]));
+    fonts.families.insert(FontFamily::Monospace, chain(&[REGULAR, SYMBOLS]));
+    fonts.families.insert(semibold(), chain(&[SEMI, REGULAR, SYMBOLS]));
     ctx.set_fonts(fonts);
 }

@@ -6,6 +6,7 @@
 
 mod names;
 mod order;
+mod unused;
 
 use anyhow::{Context as _, Result};
 use clap::{Parser, ValueEnum};
@@ -45,8 +46,17 @@ fn main() -> Result<()> {
         Target::Web => bindgen.web(true)?,
         Target::NoModules => bindgen.no_modules(true)?,
     };
+    let input = if options.keep_debug {
+        options.input.clone()
+    } else {
+        // Beside the module, of which it is a part: it is read once.
+        let input = options.input.with_extension("used.wasm");
+        let module = fs::read(&options.input).context("the module cannot be read")?;
+        fs::write(&input, unused::without_unused(&module)?)?;
+        input
+    };
     bindgen
-        .input_path(&options.input)
+        .input_path(&input)
         .out_name(&options.out_name)
         .typescript(!options.no_typescript)
         .keep_debug(options.keep_debug)

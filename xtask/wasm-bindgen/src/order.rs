@@ -21,7 +21,7 @@ pub struct Ordered {
 
 /// The functions of a module as they are.
 #[derive(Default)]
-struct Functions {
+pub struct Functions {
     imported: u32,
     /// By number of the function, imports included.
     names: HashMap<u32, String>,
@@ -30,7 +30,8 @@ struct Functions {
 }
 
 impl Functions {
-    fn read(module: &[u8]) -> Result<Self> {
+    /// Those of `module`.
+    pub fn read(module: &[u8]) -> Result<Self> {
         let mut functions = Self::default();
         for payload in Parser::new(0).parse_all(module) {
             match payload? {
@@ -63,9 +64,14 @@ impl Functions {
     }
 
     /// The name of the function at `at`, imports not counted; empty where it has none.
-    fn name(&self, at: usize) -> &str {
+    pub fn name(&self, at: usize) -> &str {
         let index = u32::try_from(at).ok().and_then(|at| at.checked_add(self.imported));
         index.and_then(|index| self.names.get(&index)).map_or("", String::as_str)
+    }
+
+    /// How many there are, imports left out.
+    pub const fn len(&self) -> usize {
+        self.types.len()
     }
 
     /// The places of the functions in their new order.
@@ -166,7 +172,7 @@ impl Reencode for Writer<'_> {
 }
 
 #[cfg(test)]
-mod tests {
+pub mod tests {
     #![allow(clippy::unwrap_used, reason = "tests")]
 
     use super::{Parser, Payload, family, ordered};
@@ -178,7 +184,7 @@ mod tests {
     use wasmparser::Operator;
 
     /// A module that imports a function and has three: each calls the one before it, and is called `x::z`, `<A as T>::m`, `<B as T>::m`.
-    fn module() -> Vec<u8> {
+    pub fn module() -> Vec<u8> {
         let mut module = Module::new();
         let mut types = TypeSection::new();
         types.ty().function([], []);

@@ -1,0 +1,91 @@
+//! Takes out what a library brings along for something that this program never does, and that no feature of it switches off. The
+//! compiler cannot know: whether it is asked for is decided while the program runs.
+
+use crate::order::Functions;
+use anyhow::{Result, ensure};
+use std::convert::Infallible;
+use wasm_encoder::reencode::{Error, Reencode};
+use wasm_encoder::{CodeSection, Function, Instruction, Module};
+use wasmparser::{FunctionBody, Parser};
+
+/// The functions that are never called, by parts of their mangled names. Everything that only they call goes with them.
+const UNUSED: &[&[&str]] = &[
+    // eframe encodes an image that is to be put on the clipboard; this program copies text. 15 kB with brotli.
+    &["5image6codecs3png", "12encode_inner"],
+];
+
+/// `module` with an instruction that traps in place of what [`UNUSED`] names.
+///
+/// # Errors
+/// Where a function of the list is not in the module: then the list is too long.
+pub fn without_unused(module: &[u8]) -> Result<Vec<u8>> {
+    without(module, UNUSED)
+}
+
+fn without(module: &[u8], unused: &[&[&str]]) -> Result<Vec<u8>> {
+    let functions = Functions::read(module)?;
+    let is_named = |name: &str, parts: &[&str]| parts.iter().all(|part| name.contains(part));
+    for parts in unused {
+        let found = (0..functions.len()).any(|at| is_named(functions.name(at), parts));
+        ensure!(found, "no function of the module is called {}", parts.join("…"));
+    }
+    let emptied = (0..functions.len()).map(|at| unused.iter().any(|parts| is_named(functions.name(at), parts)));
+    let mut writer = Writer {
+        emptied: emptied.collect(),
+        at: 0,
+    };
+    let mut out = Module::new();
+    writer.parse_core_module(&mut out, Parser::new(0), module)?;
+    Ok(out.finish())
+}
+
+struct Writer {
+    /// For each function, imports left out, whether it is emptied.
+    emptied: Vec<bool>,
+    at: usize,
+}
+
+impl Reencode for Writer {
+    type Error = Infallible;
+
+    fn parse_function_body(&mut self, code: &mut CodeSection, body: FunctionBody<'_>) -> Result<(), Error> {
+        let is_emptied = self.emptied.get(self.at).copied().unwrap_or(false);
+        self.at += 1;
+        if !is_emptied {
+            return wasm_encoder::reencode::utils::parse_function_body(self, code, body);
+        }
+        let mut function = Function::new([]);
+        function.instruction(&Instruction::Unreachable).instruction(&Instruction::End);
+        code.function(&function);
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use super::without;
+    use crate::order::tests::module;
+    use wasmparser::{Operator, Parser, Payload};
+
+    #[test]
+    fn only_what_is_named_is_emptied() {
+        let out = without(&module(), &[&["A as", "T>"]]).unwrap();
+        let mut first = Vec::new();
+        for payload in Parser::new(0).parse_all(&out) {
+            if let Payload::CodeSectionEntry(body) = payload.unwrap() {
+                first.push(matches!(
+                    body.get_operators_reader().unwrap().read().unwrap(),
+                    Operator::Unreachable
+                ));
+            }
+        }
+        assert_eq!(first, [false, true, false]);
+    }
+
+    #[test]
+    fn what_is_not_there_is_an_error() {
+        assert!(without(&module(), &[&["no such function"]]).is_err());
+    }
+}
