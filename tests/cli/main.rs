@@ -3,6 +3,7 @@
 
 mod fields;
 mod figures;
+mod floor;
 mod json;
 mod options;
 mod shell;

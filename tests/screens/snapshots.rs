@@ -129,7 +129,7 @@ impl Program {
 
     /// Makes the window, which is `size` large at least, as high as its contents.
     fn grow_to_contents(&mut self, size: Vec2) {
-        const TALL: f32 = 6400.0;
+        const TALL: f32 = 8000.0;
         const BARS: f32 = 80.0;
         // Scrolls everything to its top.
         self.harness.set_size(vec2(size.x, TALL));

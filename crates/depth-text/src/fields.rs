@@ -1,5 +1,5 @@
 //! The table of all fields: a field added here is read, stored, linked, reported and, where it has an option, known to the
-//! command line without another edit.
+//! command line without another edit. Longer than a file should be, as a table is read from top to bottom.
 
 use crate::field::{CommandOption, FieldSpec, Key, Kind, Section};
 use depth_core::problem::Field;

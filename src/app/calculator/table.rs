@@ -15,7 +15,7 @@ use egui::{FontId, Ui};
 pub fn ui(ui: &mut Ui, assessment: &Assessment, unit_of_results: LengthUnit) {
     cards::card_ui(ui, Card::Table, Card::Table.title(), |ui| {
         let narrow = ui.available_width() < theme::NARROW_TABLE_WIDTH;
-        let shares = if narrow { [1.2, 0.8, 0.7, 1.3] } else { [1.25, 0.55, 0.5, 1.7] };
+        let shares = if narrow { [1.1, 0.75, 0.95, 1.2] } else { [1.25, 0.55, 0.5, 1.7] };
         let size = if narrow { theme::SMALL_SIZE } else { theme::BODY_SIZE };
         let palette = theme::palette(ui);
         table_ui(ui, Card::Table.title(), |ui| {
