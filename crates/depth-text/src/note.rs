@@ -107,7 +107,7 @@ impl Issue {
 
     /// Whether it is about what was typed for the distance, where something else is solved for.
     pub const fn is_about_distance(&self) -> bool {
-        matches!(
+        let is_about_value = matches!(
             self,
             Self::NotADistance { .. }
                 | Self::DistanceInPixels
@@ -118,15 +118,8 @@ impl Issue {
                 | Self::UnknownUnit { .. }
                 | Self::SizeOfSquares { .. }
                 | Self::TooExtreme { .. }
-                | Self::SigmaTwoReadings { .. }
-                | Self::SigmaUnknownUnit { .. }
-                | Self::SigmaWrongUnit { .. }
-                | Self::SigmaUnitAndPercent { .. }
-                | Self::SigmaPercentOfZero { .. }
-                | Self::SigmaNotANumber { .. }
-                | Self::SigmaNegative { .. }
-                | Self::SigmaTooLarge { .. }
-        )
+        );
+        is_about_value || matches!(self.part(), Part::Sigma)
     }
 }
 
