@@ -90,7 +90,8 @@ pub fn read(q: &[[f64; 4]; 4]) -> Result<StereoGeometry, WrongEntry> {
         [_, _, _, focal_length],
         [_, _, w_per_d, w],
     ] = *q;
-    let doffs = w / w_per_d;
+    // Adding zero takes the sign from a zero that was divided by a negative number.
+    let doffs = w / w_per_d + 0.0;
     if !doffs.is_finite() {
         return Err(WrongEntry {
             row: 3,
@@ -126,7 +127,7 @@ pub fn of(geometry: &StereoGeometry) -> Option<[[f64; 4]; 4]> {
         [1.0, 0.0, 0.0, 0.0 - geometry.cx.px()],
         [0.0, 1.0, 0.0, 0.0 - geometry.cy.px()],
         [0.0, 0.0, 0.0, geometry.focal_length.px()],
-        [0.0, 0.0, w_per_d, geometry.doffs.px() * w_per_d],
+        [0.0, 0.0, w_per_d, geometry.doffs.px() * w_per_d + 0.0],
     ];
     read(&matrix).is_ok().then_some(matrix)
 }

@@ -139,3 +139,18 @@ fn what_is_no_q_matrix_is_refused_in_words() {
             .contains("nan")
     );
 }
+
+/// An exact zero has no sign, neither in what is read nor in what is copied out: "-0" is nothing to print.
+#[test]
+fn no_zero_is_negative() {
+    let q = read("1 0 0 0; 0 1 0 0; 0 0 0 700; 0 0 -5 0").unwrap();
+    assert!(q.swapped);
+    for zero in [q.doffs.px(), q.cx.px(), q.cy.px()] {
+        assert!(zero == 0.0 && zero.is_sign_positive(), "{zero}");
+    }
+    let again = depth_core::q_matrix::of(&q).unwrap();
+    assert!(
+        again.iter().flatten().all(|entry| *entry != 0.0 || entry.is_sign_positive()),
+        "{again:?}"
+    );
+}
