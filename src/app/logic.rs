@@ -62,7 +62,7 @@ impl App {
         }
         match command {
             Command::Settle | Command::Dismiss => {}
-            Command::Calculate => self.calculator.calculate(ctx, &self.session),
+            Command::Calculate => self.calculator.calculate(ctx, &self.session, &mut self.settings),
             Command::Reset => self.reset(),
             Command::Open(inputs, said) => self.open(ctx, *inputs, said),
             Command::Follow(fragment) => self.follow(ctx, &fragment),

@@ -8,7 +8,7 @@ use depth_text::export::{Exporter, Results};
 use depth_text::field::Key;
 use depth_text::geometry::PointOrigin;
 use depth_text::names::Named as _;
-use depth_text::report::{self, COMBINED, ONE_PIXEL, PREDICTED_WIDTH_M, PREDICTED_WIDTH_PX, agreement, certainty, formula};
+use depth_text::report::{self, ONE_PIXEL, PREDICTED_WIDTH_M, PREDICTED_WIDTH_PX, WITHOUT_TILT, agreement, certainty, formula};
 use depth_text::sentences::Statement;
 use depth_text::style::Style;
 use std::convert::Infallible;
@@ -25,17 +25,15 @@ impl Exporter for Text {
         let solution = &assessment.solution;
         let mut lines = Vec::new();
         if let Some(unknown) = &assessment.unknown {
-            lines.push(solved_for(unknown, unit));
+            lines.extend(solved_for(unknown, unit));
         }
         let combined = solution.combined;
         if let Some(combined) = combined {
-            lines.push(format!("{} ({COMBINED})", STYLE.measured(combined, unit)));
+            lines.push(format!("{} ({})", STYLE.measured(combined, unit), Statement::Combined));
             lines.extend(indented(agreement(assessment)));
         }
         for method in Method::ALL {
-            // The distance of the equation that was solved is what was given.
-            let is_echo = assessment.unknown.as_ref().is_some_and(|unknown| unknown.method == method);
-            lines.extend(of_method(assessment, method, unit).filter(|_| !is_echo).unwrap_or_default());
+            lines.extend(of_method(assessment, method, unit).unwrap_or_default());
         }
         if combined.is_none() {
             lines.extend(indented(agreement(assessment)));
@@ -57,10 +55,9 @@ impl Exporter for Text {
 }
 
 /// "35.00 px (the disparity)"
-fn solved_for(unknown: &Unknown, unit: LengthUnit) -> String {
-    let key = Key::from(unknown.field);
-    let value = report::unknown(STYLE, unknown, key.is_length().then_some(unit));
-    format!("{value} ({})", key.noun)
+fn solved_for(unknown: &Unknown, unit: LengthUnit) -> Option<String> {
+    let value = report::unknown(STYLE, unknown, unit)?;
+    Some(format!("{value} ({})", Key::from(unknown.field).noun))
 }
 
 fn indented(lines: Vec<String>) -> impl Iterator<Item = String> {
@@ -70,7 +67,7 @@ fn indented(lines: Vec<String>) -> impl Iterator<Item = String> {
 /// The distance of `method`, how it was computed and how sure it is; `None` without one.
 fn of_method(assessment: &Assessment, method: Method, unit: LengthUnit) -> Option<Vec<String>> {
     let solution = &assessment.solution;
-    solution.outcome(method).distance()?;
+    assessment.distance(method)?;
     let value = STYLE.distance(solution, method, unit);
     let mut below = Vec::new();
     if let Some(numbers) = STYLE.numbers_in_formula(assessment, method) {
@@ -83,6 +80,11 @@ fn of_method(assessment: &Assessment, method: Method, unit: LengthUnit) -> Optio
         && let Some(range) = STYLE.one_pixel_range(solution, unit)
     {
         below.push(format!("{ONE_PIXEL}: {range}"));
+    }
+    if method == Method::Monocular
+        && let Some(facing) = assessment.geometry.facing
+    {
+        below.push(format!("{WITHOUT_TILT}: {}", STYLE.length(Some(facing), unit)));
     }
     let first = format!("{value} ({})", method.name().to_lowercase());
     Some(std::iter::once(first).chain(indented(below)).collect())

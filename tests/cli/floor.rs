@@ -101,9 +101,61 @@ fn what_ground_does_not_use_is_a_warning() {
         ("--fx 700 --height 1.2 --pitch 10 --angle 5", "fx"),
         ("--fx 700 --fy 650 --cy 360 --row 500 --height 1.2 --pitch 10", "fx"),
         ("--cx 640 --height 1.2 --pitch 10 --angle 5", "cx"),
+        // And a σ that leaves little of the answer, at the option that has most of it.
         ("--height 1.2 --pitch 1 --sigma-pitch 1 --angle 0", "pitch"),
+        ("--height 1.2 --sigma-height 1e9 --pitch 10 --sigma-pitch 1 --angle 5", "height"),
+        (
+            "--fx 700 --height 1.2 --pitch 1 --sigma-pitch 0.1 --cy 360 --row 360 --sigma-row 20",
+            "row",
+        ),
+        (
+            "--fx 700 --sigma-fx 300 --height 1.2 --pitch 1 --cy 360 --row 500 --sigma-row 1",
+            "fx",
+        ),
     ] {
         assert_eq!(ground_of(arguments)["warnings"][0]["field"], option, "{arguments}");
     }
     assert!(refused("ground --height 0 --pitch 10 --angle 5").contains("--height: The height of the camera cannot be zero"));
+}
+
+/// Whatever the σ is, no answer has one that says nothing.
+#[test]
+fn a_sigma_out_of_all_proportion_is_refused() {
+    for (option, sigma) in [
+        ("height", "1e200"),
+        ("pitch", "1e9"),
+        ("pitch", "91"),
+        ("row", "1e200"),
+        ("fx", "1e200"),
+    ] {
+        let reason = refused(&format!(
+            "ground --fx 700 --height 1.2 --pitch 10 --cy 360 --row 500 --sigma-{option} {sigma}"
+        ));
+        assert!(
+            reason.contains(&format!("--sigma-{option}: The uncertainty of")),
+            "{option} {sigma}: {reason}"
+        );
+    }
+    for (option, sigma) in [("range", "1e200"), ("fx", "1e200")] {
+        let reason = refused(&format!(
+            "calculate --fx 700 --cx 640 --cy 360 --u 1000 --v 360 --range 5 --sigma-{option} {sigma}"
+        ));
+        assert!(
+            reason.contains(&format!("--sigma-{option}: The uncertainty of")),
+            "{option} {sigma}: {reason}"
+        );
+    }
+}
+
+#[test]
+fn the_sign_of_the_pitch_is_blamed_only_where_the_other_one_helps() {
+    let up = refused("ground --height 20in --target-height 60in --pitch 25 --angle 0");
+    assert!(up.contains("--pitch: The camera looks down and the target is above it"), "{up}");
+    let down = refused("ground --height 1.2 --pitch -25 --angle 0");
+    assert!(down.contains("--pitch: Pitch is counted downwards here"), "{down}");
+    let neither = refused("ground --height 1.2 --pitch -10 --angle 10");
+    assert!(
+        neither.contains("never meets the plane") && !neither.contains("Pitch is counted"),
+        "{neither}"
+    );
 }

@@ -46,7 +46,7 @@ fn every_refusal_names_the_option_that_was_typed() {
     }
     // A σ so large that not even the distance's own can be represented.
     let reason = refused("calculate --fx 1e154 --baseline 1e154m --disparity 1 --sigma-disparity 1e10");
-    assert!(reason.contains("--sigma-disparity: This uncertainty"), "{reason}");
+    assert!(reason.contains("--sigma-disparity: The uncertainty"), "{reason}");
 }
 
 #[test]

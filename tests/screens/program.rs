@@ -105,6 +105,18 @@ impl Program {
         self.text().contains(what)
     }
 
+    /// The value in the row `name` of a table of names and values.
+    pub fn cell(&self, table: &str, name: &str) -> String {
+        let table = self.harness.get_by_role_and_label(Role::Table, table);
+        let texts = table.children_recursive().filter_map(|node| {
+            let node = node.accesskit_node();
+            node.value().or_else(|| node.label()).filter(|text| !text.is_empty())
+        });
+        let texts: Vec<String> = texts.collect();
+        let behind = texts.iter().skip_while(|text| *text != name).find(|text| *text != name);
+        behind.cloned().unwrap_or_default()
+    }
+
     pub fn focused(&self) -> String {
         self.harness
             .root()

@@ -1,7 +1,7 @@
 //! The results, the pictures and the table, and what can be done with them.
 
 use crate::machine::Machine;
-use crate::program::{B, D, DESKTOP, FX, Program, W_IMG, W_REAL};
+use crate::program::{B, D, DESKTOP, FX, PHONE, Program, W_IMG, W_REAL, type_sigma};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -170,4 +170,105 @@ fn assistive_technology_sets_the_point_on_the_curve() {
     program.harness.run();
     assert_eq!(program.value(D), "70");
     assert!(program.says("1.000 m"));
+}
+
+/// A result is in the unit of the results, and what was given is no result.
+#[test]
+fn what_is_solved_for_is_the_one_result_and_in_the_unit_of_the_results() {
+    let mut program = Program::new();
+    program.type_into(FX, "700");
+    program.type_into(D, "50");
+    program.press("Solve for another quantity");
+    program.choose("Solve for", "Stereo: Camera baseline (b)");
+    program.type_into("Distance (D)", "1.4");
+    assert!(program.says("0.1000 m"), "{}", program.text());
+    assert!(
+        program.harness.query_by_role_and_label(Role::Region, "Stereo").is_none(),
+        "it was given"
+    );
+    program.choose("Unit of the results", "feet");
+    assert!(program.says("0.3281 ft") && !program.says("0.1000 m"), "{}", program.text());
+    program.press("Copy Results");
+    let copied = program.machine.clipboard.borrow().clone().unwrap();
+    assert!(copied.contains("Camera baseline (b) of the stereo distance: 0.3281 ft"), "{copied}");
+    assert!(!copied.contains("Stereo distance, D"), "{copied}");
+    // And the width, in whatever unit its field has.
+    program.choose("Solve for", "Monocular: Object real width (w_real)");
+    program.type_into(W_IMG, "150");
+    assert!(program.says("0.9843 ft"), "{}", program.text());
+}
+
+/// Where something is wrong it is said at its field and once among the results, in whatever the program solves for.
+#[test]
+fn what_is_wrong_is_said_at_the_field_and_once_among_the_results() {
+    let count = |program: &Program, words: &str| {
+        let text = program.text();
+        // A label is in the tree twice, as a node and as its text.
+        let mut lines: Vec<&str> = text.lines().collect();
+        lines.dedup();
+        lines.iter().filter(|line| line.contains(words)).count()
+    };
+    let zero = "A disparity of zero means";
+    let mut program = Program::new();
+    program.mug();
+    program.type_into(D, "0");
+    assert_eq!(count(&program, zero), 2, "{}", program.text());
+    program.press("Copy Results");
+    let copied = program.machine.clipboard.borrow().clone().unwrap();
+    assert_eq!(copied.matches(zero).count(), 1, "{copied}");
+    assert!(
+        copied.contains("Stereo distance, D = fx · b / d: none; see the note on the disparity"),
+        "{copied}"
+    );
+    // What both methods need.
+    program.type_into(W_IMG, "150");
+    program.type_into(W_REAL, "0.3");
+    program.type_into(FX, "-700");
+    assert_eq!(count(&program, "The focal length cannot be negative"), 2, "{}", program.text());
+    // And where another quantity is solved for.
+    program.type_into(FX, "700");
+    program.press("Solve for another quantity");
+    program.choose("Solve for", "Stereo: Camera baseline (b)");
+    program.type_into("Distance (D)", "1.4");
+    assert_eq!(count(&program, zero), 2, "{}", program.text());
+    program.type_into(D, "50");
+    program.type_into("Distance (D)", "-1");
+    assert_eq!(count(&program, "is not a distance"), 1, "{}", program.text());
+}
+
+/// What sums up the results says which of them it is, and that they disagree.
+#[test]
+fn what_sums_up_the_results_is_the_combined_distance_or_says_that_they_disagree() {
+    let mut program = Program::on(Machine::default(), PHONE);
+    program.mug();
+    program.type_into(W_IMG, "150");
+    program.type_into(W_REAL, "0.31");
+    program.press("Add uncertainty");
+    type_sigma(&mut program, D, "2");
+    type_sigma(&mut program, W_IMG, "2");
+    let bar = "Combined\nCombined\n1.442 m";
+    assert!(program.says(bar), "{}", program.text());
+    assert!(program.says("the object 1.442 m (combined) away"), "{}", program.text());
+    assert_eq!(program.cell("Intermediate values", "Object distance (D, combined)"), "1.442 m");
+    assert_eq!(
+        program.cell("Key input parameters and outputs", "Object distance (D, combined)"),
+        "1.442"
+    );
+    program.type_into(W_REAL, "3.1");
+    assert!(!program.says(bar));
+    assert!(program.says("14.47 m\n14.47 m\nThey disagree"), "{}", program.text());
+    assert!(program.says("the object 1.400 m (stereo) away"), "{}", program.text());
+}
+
+/// An input is shown in the unit that it was typed in, also in a picture.
+#[test]
+fn pictures_have_the_inputs_as_they_were_typed() {
+    let mut program = Program::new();
+    program.mug();
+    program.choose("Unit of the results", "feet");
+    assert!(
+        program.says("Two cameras 100 mm apart; the object 4.593 ft away"),
+        "{}",
+        program.text()
+    );
 }

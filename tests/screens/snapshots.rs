@@ -174,7 +174,7 @@ fn both_methods_with_uncertainty_and_geometry_look_as_before() {
         program.blur();
         // Simulations, and what moves.
         program.harness.run_steps(60);
-        assert_eq!(program.text().matches("100000 draws").count(), 2, "{}", program.text());
+        assert_eq!(program.text().matches("100\u{a0}000 draws").count(), 2, "{}", program.text());
     });
 }
 

@@ -76,7 +76,7 @@ fn where_first_order_fails_a_simulation_stands_beside_it() {
     type_sigma(&mut program, D, "0.8");
     program.harness.run_steps(30);
     assert!(program.says("known to worse than 10 %"));
-    assert!(program.says("100000 draws"), "{}", program.text());
+    assert!(program.says("100\u{a0}000 draws"), "{}", program.text());
     // About one draw in nine has no positive disparity.
     assert!(program.says("11 %") && program.says("no upper bound"));
 }
@@ -104,14 +104,18 @@ fn progress(mut program: Program) -> Vec<f64> {
     let mut told = Vec::new();
     for _ in 0..60 {
         program.harness.step();
-        if program.says("100000 draws") {
+        if program.says("100\u{a0}000 draws") {
             assert!(program.harness.query_by_role(Role::ProgressIndicator).is_none());
             return told;
         }
         let bars = program.harness.query_all_by_role(Role::ProgressIndicator);
         let values: Vec<f64> = bars.filter_map(|bar| bar.accesskit_node().numeric_value()).collect();
         for value in &values {
-            assert!(program.says(&format!("Drawing 100 000 times: {value} %")), "{}", program.text());
+            assert!(
+                program.says(&format!("Drawing 100\u{a0}000 times: {value} %")),
+                "{}",
+                program.text()
+            );
         }
         told.extend(values);
     }

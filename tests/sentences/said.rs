@@ -82,6 +82,14 @@ impl Said {
             for suspect in &assessment.suspects() {
                 self.statement(&Statement::suspect(suspect));
             }
+            if solution.combined.is_some() {
+                self.statement(&Statement::Combined);
+            }
+            let causes = Method::ALL.map(|method| solution.uncertainty(method).and_then(Statement::main_cause));
+            causes.into_iter().flatten().for_each(|cause| self.statement(&cause));
+            for key in Method::ALL.iter().filter_map(|&method| Some(assessment.refusal(method)?.key)) {
+                self.statement(&Statement::SeeNote { key });
+            }
             self.statement(&Statement::widths(solution));
             let is_poor = |method| {
                 solution

@@ -1,8 +1,10 @@
 //! Whether a number can be used, and if not, why. The one place that decides it, and the one error of this crate.
 
+use crate::angle::Angle;
 use crate::field::Field;
 use crate::measured::Measured;
 use crate::quantity::{Pixels, Quantity};
+use std::f64::consts::FRAC_PI_2;
 
 /// What an error is about: a term of an equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -172,10 +174,22 @@ pub(crate) fn finite_measured<Q: Quantity>(term: Term, given: Measured<Q>) -> Re
     sigma(term, given)
 }
 
-/// A [positive] quantity with a standard deviation of 0 or more.
+/// A [positive] quantity with a standard deviation of 0 or more and not [out of all proportion](LARGEST_RELATIVE_SIGMA).
 pub(crate) fn positive_measured<Q: Quantity>(term: Term, given: Measured<Q>) -> Result<Measured<Q>, Unsolvable> {
     value(term, positive(given.value.to_base()))?;
-    sigma(term, given)
+    let given = sigma(term, given)?;
+    relative_sigma(term, given.relative())?;
+    Ok(given)
+}
+
+/// A [finite] angle with a standard deviation from 0 to 90°: one that could point anywhere says nothing.
+pub(crate) fn angle_measured(term: Term, given: Measured<Angle>) -> Result<Measured<Angle>, Unsolvable> {
+    let given = finite_measured(term, given)?;
+    if given.sigma.radians() <= FRAC_PI_2 {
+        Ok(given)
+    } else {
+        Err(Unsolvable::Sigma { term })
+    }
 }
 
 /// A quantity whose standard deviation is finite and 0 or more.

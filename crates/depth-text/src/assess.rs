@@ -12,7 +12,7 @@ use depth_core::agreement::Suspect;
 use depth_core::judge;
 use depth_core::measured::Measured;
 use depth_core::problem::{Field, Method, Problem, Solution};
-use depth_core::quantity::{Length, LengthUnit};
+use depth_core::quantity::Length;
 
 /// What the form means.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,6 +61,12 @@ impl Assessment {
         self.note_at(key.into(), Part::Sigma)
     }
 
+    /// The distance by `method`; `None` also where it was given and something else solved for, so that it would only be repeated.
+    pub fn distance(&self, method: Method) -> Option<Length> {
+        let is_given = self.unknown.as_ref().is_some_and(|unknown| unknown.method == method);
+        self.solution.outcome(method).distance().filter(|_| !is_given)
+    }
+
     /// Whether the field `key` is what is solved for.
     pub fn is_solved_for(&self, key: Key) -> bool {
         self.unknown.as_ref().is_some_and(|unknown| key == unknown.field)
@@ -99,6 +105,15 @@ impl Assessment {
     }
 }
 
+/// Why `issue` says that an input is missing, where one of `notes` refused it.
+fn refused_instead(issue: Issue, notes: &[Note]) -> Issue {
+    let Issue::MissingForUnknown { key: missing } = issue else {
+        return issue;
+    };
+    let at = |note: &&Note| (note.key, note.part, note.severity) == (missing, Part::Value, Severity::Error);
+    notes.iter().find(at).map_or(issue, |note| note.issue.clone())
+}
+
 impl Inputs {
     /// Reads every field and solves.
     pub fn assess(&self) -> Assessment {
@@ -109,6 +124,8 @@ impl Inputs {
             let distance = self.read_distance();
             let known = distance.as_ref().ok().copied();
             let outcome = problem::solve_for(method, field, &problem, || distance);
+            // What was refused is not missing.
+            let outcome = outcome.map_err(|issue| refused_instead(issue, &notes));
             Unknown {
                 method,
                 field,
@@ -238,7 +255,8 @@ impl Inputs {
         if let Some(field) = solution.unusable_sigma
             && !notes.iter().any(|note| (note.key, note.part) == (field.into(), Part::Sigma))
         {
-            notes.push(Note::of_sigma(field.into(), Issue::SigmaOutOfProportion));
+            let key = field.into();
+            notes.push(Note::of_sigma(key, Issue::SigmaOutOfProportion { key }));
         }
     }
 
@@ -268,6 +286,12 @@ impl Inputs {
         missing
     }
 
+    /// What the distance of `method` still needs, in reading order of its formula.
+    pub fn missing_for(&self, method: Method) -> Vec<Key> {
+        let lacking = method.fields().into_iter().filter(|&field| self.lacks(field));
+        lacking.map(Key::from).collect()
+    }
+
     /// Whether something is in a field that only `method` needs.
     pub fn is_begun(&self, method: Method) -> bool {
         method.own_fields().into_iter().any(|field| !self.lacks(field))
@@ -294,16 +318,5 @@ impl Inputs {
             is_given: !self.entry(fields::DOFFS).is_blank(),
             is_unknown: self.is_solved_for(fields::DOFFS),
         }
-    }
-}
-
-impl Assessment {
-    /// The unit of length that holds in the field `key`: typed, chosen, or the field's own; `None` for other kinds.
-    pub fn length_unit(&self, key: impl Into<Key>, inputs: &Inputs) -> Option<LengthUnit> {
-        let key = key.into();
-        let unit = self
-            .reading(key)
-            .map_or_else(|| inputs.entry(key).chosen_unit(key), |reading| reading.unit);
-        unit.and_then(Unit::length)
     }
 }

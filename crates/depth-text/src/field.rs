@@ -103,6 +103,11 @@ impl Section {
     /// Those that everybody sees.
     pub const FORM: [Self; 3] = [Self::Camera, Self::Stereo, Self::Monocular];
 
+    /// Whether it is shown only to those who ask for range, tilt and ground plane.
+    pub const fn is_geometry(self) -> bool {
+        matches!(self, Self::Point | Self::Target | Self::Ground)
+    }
+
     /// Its heading.
     pub const fn name(self) -> &'static str {
         match self {

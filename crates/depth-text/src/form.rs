@@ -95,8 +95,7 @@ impl Inputs {
 
     /// Whether something is in a field of the point, the target or the ground plane.
     pub fn has_geometry(&self) -> bool {
-        let is_form = |key: Key| key.section.is_some_and(|section| Section::FORM.contains(&section));
-        Key::form().any(|key| !is_form(key) && !self.entry(key).is_blank())
+        Key::form().any(|key| key.section.is_some_and(Section::is_geometry) && !self.entry(key).is_blank())
     }
 
     /// Whether nothing was typed into the form. A distance, which belongs to what is solved for, does not count.

@@ -22,6 +22,8 @@ pub struct Geometry {
     pub point: Option<(PointOrigin, PointSolution)>,
     /// The point on the floor; `None` while something is missing.
     pub ground: Option<GroundSolution>,
+    /// What the monocular distance would be without the tilt; `None` where there is neither.
+    pub facing: Option<Length>,
 }
 
 /// Where the distance of a point is from.
@@ -47,14 +49,16 @@ impl Geometry {
         let ground = ground(&camera).map_err(|note| notes.push(note)).ok().flatten();
         let point = point(&camera).map_err(|note| notes.push(note)).ok().flatten();
         notes.extend(point.and_then(|(origin, point)| contradiction(&camera, origin, &point)));
-        let vague = ground.is_some_and(|ground| ground.distance.sigma.m() > LARGEST_GROUND_SIGMA * ground.slant.value.m());
-        notes.extend(vague.then(|| Note::warning(CAMERA_PITCH, Issue::VagueGround)));
-        (Self { point, ground }, notes)
+        notes.extend(ground.and_then(|ground| vague_ground(&camera, &ground)));
+        notes.extend(point.and_then(|_| vague_range(&camera)));
+        let has_distance = solution.monocular.distance().is_some();
+        let facing = solution.problem.distance_if_facing().filter(|_| has_distance);
+        (Self { point, ground, facing }, notes)
     }
 }
 
-/// The σ of a ground distance, as a part of the slant, from which on first order describes it poorly.
-const LARGEST_GROUND_SIGMA: f64 = 0.3;
+/// The σ of a ground distance, as a part of the slant, and of a range as a part of it, from which on it says little.
+const LARGEST_SIGMA: f64 = 0.3;
 
 /// What was read, and what follows from it.
 struct Camera<'a> {
@@ -124,6 +128,10 @@ fn point_view(camera: &Camera<'_>) -> Option<(PointOrigin, PointView)> {
 
 /// Why there is no point.
 fn point_note(camera: &Camera<'_>, origin: PointOrigin, error: Unsolvable) -> Note {
+    if let Unsolvable::Sigma { term } = error {
+        let key = if term == Term::Distance { TAPED_RANGE } else { FOCAL_LENGTH };
+        return Note::of_sigma(key, Issue::SigmaOutOfProportion { key });
+    }
     let key = match error.term() {
         Some(Term::PrincipalPoint) => CX,
         Some(Term::Column) => PIXEL_COLUMN,
@@ -133,6 +141,35 @@ fn point_note(camera: &Camera<'_>, origin: PointOrigin, error: Unsolvable) -> No
         _ => FOCAL_LENGTH,
     };
     refused(camera, key, error)
+}
+
+/// A warning where the σ of a range is so large that there is hardly a measurement.
+fn vague_range(camera: &Camera<'_>) -> Option<Note> {
+    let range = camera.measured::<Length>(TAPED_RANGE)?;
+    let is_vague = range.relative() > LARGEST_SIGMA;
+    is_vague.then(|| Note::warning(TAPED_RANGE, Issue::VagueRange))
+}
+
+/// A warning where the σ of a ground distance is so large that first order describes it poorly, at the field that has most of it.
+fn vague_ground(camera: &Camera<'_>, ground: &GroundSolution) -> Option<Note> {
+    let is_vague = ground.distance.sigma.m() > LARGEST_SIGMA * ground.slant.value.m();
+    let cause = ground.main_cause.filter(|_| is_vague)?;
+    Some(Note::warning(key_of(camera, cause), Issue::VagueGround))
+}
+
+/// The field that a term of the ground plane is typed into.
+fn key_of(camera: &Camera<'_>, term: Term) -> Key {
+    match term {
+        Term::Pitch => CAMERA_PITCH,
+        Term::TargetHeight => TARGET_HEIGHT,
+        Term::Row => FLOOR_ROW,
+        Term::Column => FLOOR_COLUMN,
+        Term::BelowAxis => FLOOR_ANGLE,
+        Term::PrincipalPoint => CX,
+        Term::Input(_) if camera.fx().is_none() => FY,
+        Term::Input(_) => FOCAL_LENGTH,
+        Term::CameraHeight | Term::Distance => CAMERA_HEIGHT,
+    }
 }
 
 /// What is wrong with the value of `key`.
@@ -201,14 +238,22 @@ fn ground_view(camera: &Camera<'_>) -> Option<GroundView> {
 }
 
 fn ground_note(camera: &Camera<'_>, error: Unsolvable) -> Note {
+    if let Unsolvable::Sigma { term } = error {
+        let key = key_of(camera, term);
+        return Note::of_sigma(key, Issue::SigmaOutOfProportion { key });
+    }
     if let Unsolvable::MissesPlane {
         meets_with_opposite_pitch: true,
         ..
     } = error
         && let Some(pitch) = camera.reading(CAMERA_PITCH)
     {
-        let fix = with_opposite_sign(pitch);
-        return Note::error(CAMERA_PITCH, Issue::PitchCountsDownwards).with_fixes(vec![fix]);
+        let issue = if pitch.value < 0.0 {
+            Issue::PitchCountsDownwards
+        } else {
+            Issue::LooksDownAtHigherTarget
+        };
+        return Note::error(CAMERA_PITCH, issue).with_fixes(vec![with_opposite_sign(pitch)]);
     }
     let place = if camera.reading(FLOOR_ANGLE).is_some() {
         FLOOR_ANGLE

@@ -4,6 +4,8 @@
 
 use crate::entry::Entry;
 use crate::field::Key;
+use crate::fields::DISTANCE;
+use crate::number::with_minus;
 use crate::unit::Unit;
 use crate::variants::variants;
 use depth_core::angle::Angle;
@@ -100,13 +102,13 @@ impl Issue {
             | Self::SigmaNotANumber { .. }
             | Self::SigmaNegative { .. }
             | Self::SigmaTooLarge { .. }
-            | Self::SigmaOutOfProportion => Part::Sigma,
+            | Self::SigmaOutOfProportion { .. } => Part::Sigma,
             _ => Part::Value,
         }
     }
 
     /// Whether it is about what was typed for the distance, where something else is solved for.
-    pub const fn is_about_distance(&self) -> bool {
+    pub fn is_about_distance(&self) -> bool {
         let is_about_value = matches!(
             self,
             Self::NotADistance { .. }
@@ -119,7 +121,11 @@ impl Issue {
                 | Self::SizeOfSquares { .. }
                 | Self::TooExtreme { .. }
         );
-        is_about_value || matches!(self.part(), Part::Sigma)
+        match self {
+            // Of all σ only that of the distance has no note of its own.
+            Self::SigmaOutOfProportion { key } => *key == DISTANCE,
+            _ => is_about_value || matches!(self.part(), Part::Sigma),
+        }
     }
 }
 
@@ -144,7 +150,7 @@ impl Fix {
     pub fn label(&self) -> String {
         match self.way {
             Some(_) => self.value.clone(),
-            None => format!("Use {}", self.value),
+            None => format!("Use {}", with_minus(&self.value)),
         }
     }
 }
@@ -217,7 +223,7 @@ variants! {
         /// A σ that cannot be represented.
         SigmaTooLarge { key: Key, text: String },
         /// A σ that is out of all proportion to its value.
-        SigmaOutOfProportion,
+        SigmaOutOfProportion { key: Key },
 
         /// What a method that was begun still needs.
         Missing { key: Key, method: Method },
@@ -242,6 +248,8 @@ variants! {
         MissesPlane,
         /// It would with the opposite pitch.
         PitchCountsDownwards,
+        /// A target above a camera that looks down: it would meet its plane with the opposite pitch.
+        LooksDownAtHigherTarget,
         /// A target as high as the camera.
         TargetAtCameraHeight,
         /// An angle below the axis of 90° or more.
@@ -259,6 +267,8 @@ variants! {
         RangeContradicts { times: f64 },
         /// A ground distance that is known to worse than 30 %.
         VagueGround,
+        /// A range that is known to worse than 30 %.
+        VagueRange,
         /// A number of sub-pixel bits that does not exist.
         WrongSubpixelBits,
         /// A stored value that stands for no disparity.

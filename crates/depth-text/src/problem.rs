@@ -7,6 +7,7 @@ use crate::note::{Fix, Issue, Note};
 use crate::reading::{Reading, with_opposite_sign};
 use depth_core::camera::field_of_view;
 use depth_core::disparity::is_no_match;
+use depth_core::judge::{Term, Unsolvable};
 use depth_core::measured::Measured;
 use depth_core::problem::{Field, Method, Outcome, Problem, Refusal, Solution, better_unit};
 use depth_core::quantity::{Length, Pixels};
@@ -114,6 +115,12 @@ pub(crate) fn solve_for(
         // The equation has the width that shows.
         Ok(Found::RealWidth(width)) => Ok(problem.turned_away(width).to_base()),
         Ok(found) => Ok(found.to_base()),
+        Err(Unsolvable::Sigma { term }) => Err(Issue::SigmaOutOfProportion {
+            key: match term {
+                Term::Input(field) => field.into(),
+                _ => fields::DISTANCE,
+            },
+        }),
         Err(_) => Err(Issue::NoSolution),
     }
 }

@@ -3,15 +3,14 @@
 
 use crate::assess::{Assessment, Unknown};
 use crate::field::Key;
-use crate::form::Inputs;
 use crate::geometry::PointOrigin;
 use crate::names::{self, Named};
-use crate::sentences::Statement;
+use crate::sentences::{Statement, percent, short_name};
 use crate::style::Style;
 use crate::unit::Unit;
 use depth_core::camera::{GroundSolution, PointSolution};
 use depth_core::measured::Measured;
-use depth_core::problem::{Field, Method, Origin, Solution, Uncertainty};
+use depth_core::problem::{Method, Origin, Solution, Uncertainty};
 use depth_core::quantity::{Length, LengthUnit};
 
 pub use crate::style::{DIGITS, NO_UPPER_BOUND, WithSigma};
@@ -61,21 +60,6 @@ pub fn formula_with_numbers(assessment: &Assessment, method: Method, unit: Lengt
     Some(format!("D = {numbers} = {}", length(Some(distance), unit)))
 }
 
-/// What the distance of `method` still needs: "needs baseline and disparity"; `None` where all is there.
-pub fn needs(inputs: &Inputs, method: Method) -> Option<String> {
-    let missing: Vec<&str> = method
-        .fields()
-        .into_iter()
-        .filter(|&field| inputs.lacks(field))
-        .map(|field| Key::from(field).symbol)
-        .collect();
-    let (last, first) = missing.split_last()?;
-    Some(match first {
-        [] => format!("needs {last}"),
-        first => format!("needs {} and {last}", first.join(", ")),
-    })
-}
-
 /// One row of the table "Key input parameters and outputs".
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
@@ -118,6 +102,14 @@ pub fn parameter_rows(assessment: &Assessment, unit: LengthUnit) -> Vec<Row> {
         description,
     };
     let in_unit = |length: Length| length.in_unit(unit);
+    let combined = solution.combined.map(|combined| {
+        output(
+            COMBINED_DISTANCE.to_owned(),
+            Some(in_unit(combined.value)),
+            Unit::Length(unit),
+            "Distance from both, weighted by how well each is known",
+        )
+    });
     let outputs = [
         output(
             ESTIMATED_WIDTH_PX.to_owned(),
@@ -132,20 +124,31 @@ pub fn parameter_rows(assessment: &Assessment, unit: LengthUnit) -> Vec<Row> {
             "Real width that the width in the image and the distance predict",
         ),
         output(
-            "Distance (stereo)".to_owned(),
+            distance_name(Method::Stereo).to_owned(),
             solution.stereo.distance().map(in_unit),
             Unit::Length(unit),
             "Distance from disparity",
         ),
         output(
-            "Distance (monocular)".to_owned(),
+            distance_name(Method::Monocular).to_owned(),
             solution.monocular.distance().map(in_unit),
             Unit::Length(unit),
             "Distance from the object’s known width",
         ),
     ];
-    inputs.chain(outputs).collect()
+    inputs.chain(outputs).chain(combined).collect()
 }
+
+/// Name of the distance of `method` in a table.
+pub const fn distance_name(method: Method) -> &'static str {
+    match method {
+        Method::Stereo => "Object distance (D, stereo)",
+        Method::Monocular => "Object distance (D, monocular)",
+    }
+}
+
+/// Name of the combined distance in a table.
+pub const COMBINED_DISTANCE: &str = "Object distance (D, combined)";
 
 /// Name of w_real·fx/D.
 pub const ESTIMATED_WIDTH_PX: &str = "Estimated object width (pixels)";
@@ -153,6 +156,8 @@ pub const ESTIMATED_WIDTH_PX: &str = "Estimated object width (pixels)";
 pub fn estimated_width_name(unit: LengthUnit) -> String {
     format!("Estimated object width ({})", unit.name())
 }
+/// What the monocular distance would be without the tilt.
+pub const WITHOUT_TILT: &str = "without the tilt";
 /// What w_real·fx/D is, where there is no table to explain its name.
 pub const PREDICTED_WIDTH_PX: &str = "Width in the image that the real width predicts";
 /// What w_img·D/fx is, where there is no table to explain its name.
@@ -160,10 +165,6 @@ pub const PREDICTED_WIDTH_M: &str = "Real width that the width in the image pred
 
 /// The change that [`one_pixel_range`] is about.
 pub const ONE_PIXEL: &str = "one pixel of disparity more or less";
-/// What both distances combined are, where that has a line of its own.
-pub const COMBINED_ESTIMATE: &str = "Combined estimate; the shared focal length is accounted for";
-/// The same beside their value.
-pub const COMBINED: &str = "combined, the shared focal length accounted for";
 
 /// Where the variance comes from: "disparity 75 %, baseline 19 %, focal length 6 %", the largest first.
 pub fn budget(uncertainty: &Uncertainty) -> String {
@@ -175,28 +176,6 @@ pub fn budget(uncertainty: &Uncertainty) -> String {
         .map(|share| format!("{} {}", short_name(share.source), percent(share.share)))
         .collect::<Vec<_>>()
         .join(", ")
-}
-
-/// The input behind most of the variance: "mostly from disparity (75 %)".
-pub fn main_cause(uncertainty: &Uncertainty) -> Option<String> {
-    let share = uncertainty.main_cause()?;
-    let how = if share.share >= 0.5 { "mostly" } else { "most of it" };
-    Some(format!("{how} from {} ({})", short_name(share.source), percent(share.share)))
-}
-
-/// A field in the middle of a sentence about causes: "disparity".
-pub fn short_name(field: Field) -> &'static str {
-    Key::from(field).spec().noun.trim_start_matches("the ")
-}
-
-/// A share of a whole, "75 %".
-pub fn percent(share: f64) -> String {
-    let percent = share * 100.0;
-    if percent > 0.0 && percent < 0.5 {
-        "under 1 %".to_owned()
-    } else {
-        format!("{percent:.0} %")
-    }
 }
 
 /// How sure the distance is that `uncertainty` belongs to, a line each: the interval, the shares, and whether ± σ misleads.
@@ -274,26 +253,45 @@ pub fn ground(style: Style, ground: &GroundSolution, unit: LengthUnit) -> Vec<(&
         .collect()
 }
 
-/// What was solved for with its uncertainty, in `unit` (`None`: pixels), or what is lacking: "100.0 ± 1.2 mm".
-pub fn unknown(style: Style, unknown: &Unknown, unit: Option<LengthUnit>) -> String {
-    let found = match &unknown.outcome {
-        Ok(found) => found,
-        Err(reason) => return reason.to_string(),
+/// What was solved for with its uncertainty, a length in `unit`: "100.0 ± 1.2 mm"; `None` where something is lacking.
+pub fn unknown(style: Style, unknown: &Unknown, unit: LengthUnit) -> Option<String> {
+    let (value, sigma, unit) = unknown_in(unknown, unit)?;
+    Some(if sigma > 0.0 {
+        style.with_sigma(value, sigma).text(unit)
+    } else {
+        format!("{} {}", style.number(Some(value)), unit.symbol())
+    })
+}
+
+/// [`unknown`] in two parts, of which the second is written smaller: "100.0" and "mm ± 1.2".
+pub fn unknown_in_parts(unknown: &Unknown, unit: LengthUnit) -> Option<[String; 2]> {
+    let (value, sigma, unit) = unknown_in(unknown, unit)?;
+    Some(if sigma > 0.0 {
+        let WithSigma { value, sigma } = STYLE.with_sigma(value, sigma);
+        [value, format!("{} ± {sigma}", unit.symbol())]
+    } else {
+        [STYLE.number(Some(value)), unit.symbol().to_owned()]
+    })
+}
+
+/// What was solved for and its σ, a length in `unit`, with the unit that both are in.
+fn unknown_in(unknown: &Unknown, unit: LengthUnit) -> Option<(f64, f64, Unit)> {
+    let found = unknown.outcome.as_ref().ok()?;
+    let unit = if Key::from(unknown.field).is_length() {
+        Unit::Length(unit)
+    } else {
+        Unit::Pixel
     };
-    let unit = unit.map_or(Unit::Pixel, Unit::Length);
-    let (value, sigma) = (unit.from_base(found.value), unit.from_base(found.sigma));
-    if sigma == 0.0 {
-        return format!("{} {}", style.number(Some(value)), unit.symbol());
-    }
-    style.with_sigma(value, sigma).text(unit)
+    Some((unit.from_base(found.value), unit.from_base(found.sigma), unit))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::entry::Entry;
-    use crate::form::Example;
+    use crate::form::{Example, Inputs};
     use crate::number::NO_NUMBER;
+    use depth_core::problem::Field;
 
     #[test]
     fn the_formula_of_the_mug_has_its_numbers() {

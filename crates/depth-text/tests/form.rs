@@ -9,6 +9,7 @@ use depth_text::field::Key;
 use depth_text::fields;
 use depth_text::form::{Example, Inputs};
 use depth_text::note::{Fix, Issue, Note, Severity};
+use depth_text::unit::Unit;
 
 fn with(field: Field, text: &str) -> Inputs {
     let mut inputs = Inputs::default();
@@ -37,7 +38,8 @@ fn the_examples_give_the_distances_of_the_page() {
 #[test]
 fn a_typed_unit_holds_at_once_and_moves_beside_the_field_when_tidied() {
     let mut inputs = with(Field::Baseline, "10 cm");
-    assert_eq!(inputs.assess().length_unit(Field::Baseline, &inputs), Some(Centimeter));
+    let reading = inputs.assess().reading(Field::Baseline).and_then(|reading| reading.unit);
+    assert_eq!(reading, Some(Unit::Length(Centimeter)));
     assert_eq!(inputs.assess().solution.problem.get(Field::Baseline), Some(0.1));
     inputs.tidy(Field::Baseline);
     let tidied = Entry {

@@ -27,9 +27,9 @@ pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
         .x_grid_spacer(|_| [0.0, 1.0].map(|value| GridMark { value, step_size: 1.0 }).to_vec())
         .x_axis_formatter(|mark, _| {
             if mark.value < 0.5 {
-                "Stereo distance".to_owned()
+                Method::Stereo.name().to_owned()
             } else {
-                "Monocular distance".to_owned()
+                Method::Monocular.name().to_owned()
             }
         })
         .y_axis_formatter(move |mark, _| plot::mark_label(mark, top, unit))

@@ -56,10 +56,11 @@ fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
 
 fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, key: Key, marked: bool) {
     let helper = key.input.and_then(Helper::at);
+    let unit = cx.unit();
     let (inputs, assessment) = cx.session.parts();
     if let Some(unknown) = assessment.unknown.as_ref().filter(|unknown| key == unknown.field) {
         field::label_ui(ui, key, helper, cx.commands);
-        unknown::solution_ui(ui, unknown, assessment.length_unit(key, inputs));
+        unknown::solution_ui(ui, unknown, unit);
         return;
     }
     let missing = assessment.missing.iter().find(|note| marked && note.key == key);

@@ -8,8 +8,6 @@ use crate::app::theme;
 use crate::app::widgets::cards::{self, Row};
 use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::text;
-use crate::core::problem::{Method, Problem};
-use crate::core::quantity::Length;
 use depth_text::field::Key;
 use depth_text::fields;
 use depth_text::geometry::Geometry;
@@ -48,22 +46,11 @@ fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
 
 fn tilt_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     fields_ui(ui, cx, &[fields::TILT]);
-    let solution = &cx.session.assessment().solution;
-    if let Some(tilt) = solution.problem.tilt
-        && solution.outcome(Method::Monocular).distance().is_some()
-        && let Some(without) = distance_facing(&solution.problem)
-        && tilt.radians() != 0.0
-    {
+    if let Some(without) = cx.session.assessment().geometry.facing {
         let unit = cx.unit();
         text::caption_ui(ui, Hint::TiltIsUsed { without, unit }.to_string());
     }
     text::caption_ui(ui, Hint::TiltedTarget.to_string());
-}
-
-/// The monocular distance if the target faced the camera.
-fn distance_facing(problem: &Problem) -> Option<Length> {
-    let facing = Problem { tilt: None, ..*problem };
-    facing.solve().monocular.distance()
 }
 
 fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {

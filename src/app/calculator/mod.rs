@@ -13,20 +13,24 @@ mod top_view;
 mod uncertainty;
 mod unknown;
 
+pub use results::bar_ui as result_bar_ui;
+
 use super::command::Helper;
 use super::context::AppContext;
-use super::saved::Ways;
+use super::saved::{Settings, Ways};
 use super::session::Session;
-use super::theme::{self, Layout};
+use super::theme::Layout;
 use super::widgets::cards::{self, Row};
 use super::widgets::{field, scroll, text};
+use crate::core::problem::Method;
 use crate::core::quantity::LengthUnit;
 use card::Card;
 use depth_text::assess::Assessment;
+use depth_text::field::Section;
 use depth_text::note::Severity;
 use depth_text::report;
 use depth_text::sentences::Statement;
-use egui::{Align, Pos2, Rect, RichText, Ui, UiBuilder};
+use egui::{Align, Pos2, Rect, Ui, UiBuilder};
 
 /// State of the screen between frames, beside the inputs.
 #[derive(Debug, Default)]
@@ -103,15 +107,17 @@ impl Calculator {
         }
     }
 
-    /// Marks every problem, and goes to the first, or to the results where there is none.
-    pub fn calculate(&mut self, ctx: &egui::Context, session: &Session) {
+    /// Marks every problem, and goes to the first, or to the results where there is none. A hidden part with the first is shown.
+    pub fn calculate(&mut self, ctx: &egui::Context, session: &Session, settings: &mut Settings) {
         self.marked = true;
         let assessment = session.assessment();
         let errors = assessment.notes.iter().filter(|note| note.severity == Severity::Error);
         let first = errors.chain(&assessment.missing).map(|note| note.key).min();
         match first {
-            // Nobody sees what is hidden.
-            Some(key) => ctx.memory_mut(|memory| memory.request_focus(field::id(key))),
+            Some(key) => {
+                settings.shows_geometry |= key.section.is_some_and(Section::is_geometry);
+                ctx.memory_mut(|memory| memory.request_focus(field::id(key)));
+            }
             None => self.reveal_results(ctx),
         }
     }
@@ -184,7 +190,7 @@ impl Calculator {
             match card {
                 Card::Bars => bars::ui(ui, solution, unit),
                 Card::Curve => self.curve.ui(ui, solution, unit, cx.commands),
-                Card::TopView => top_view::ui(ui, solution, unit),
+                Card::TopView => top_view::ui(ui, assessment, unit),
                 _ => intermediate_ui(ui, assessment, unit),
             }
             cards::fill_height_ui(ui, row);
@@ -199,29 +205,16 @@ fn intermediate_ui(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
         || depth_text::number::NO_NUMBER.to_owned(),
         |width| depth_text::number::significant(width.px(), report::DIGITS),
     );
-    table::pairs_ui(
-        ui,
-        Card::Intermediate.title(),
-        &[
-            (report::ESTIMATED_WIDTH_PX, format!("{width_px} px")),
-            (&report::estimated_width_name(unit), length(solution.estimated_width)),
-            ("Object distance (D, stereo)", length(solution.stereo.distance())),
-            ("Object distance (D, monocular)", length(solution.monocular.distance())),
-        ],
-    );
+    let estimated_width = report::estimated_width_name(unit);
+    let of_method = |method| (report::distance_name(method), length(solution.outcome(method).distance()));
+    let combined = solution
+        .combined
+        .map(|combined| (report::COMBINED_DISTANCE, length(Some(combined.value))));
+    let widths = [
+        (report::ESTIMATED_WIDTH_PX, format!("{width_px} px")),
+        (estimated_width.as_str(), length(solution.estimated_width)),
+    ];
+    let rows: Vec<_> = widths.into_iter().chain(Method::ALL.map(of_method)).chain(combined).collect();
+    table::pairs_ui(ui, Card::Intermediate.title(), &rows);
     text::caption_ui(ui, Statement::widths(solution).to_string());
-}
-
-/// The contents of the bar that keeps the result in sight on a phone.
-pub fn result_bar_ui(ui: &mut Ui, cx: &AppContext<'_>) {
-    let palette = theme::palette(ui);
-    ui.horizontal_wrapped(|ui| {
-        for (name, value) in results::headline(&cx.session.assessment().solution, cx.unit()) {
-            if let Some(name) = name {
-                ui.label(RichText::new(name).color(palette.muted));
-            }
-            ui.label(RichText::new(value).font(theme::strong(theme::BAR_RESULT_SIZE)).color(palette.text));
-            ui.add_space(2.0 * theme::STEP);
-        }
-    });
 }

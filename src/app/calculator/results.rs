@@ -7,31 +7,56 @@ use crate::app::sentences::Hint;
 use crate::app::theme;
 use crate::app::widgets::unit_choice::length_unit_choice_ui;
 use crate::app::widgets::{cards, text};
-use crate::core::problem::{Method, Solution};
+use crate::core::problem::Method;
 use crate::core::quantity::LengthUnit;
 use depth_text::assess::{Assessment, Unknown};
 use depth_text::field::Key;
 use depth_text::names::Named as _;
+use depth_text::number::NO_NUMBER;
 use depth_text::report;
-use depth_text::sentences::Statement;
+use depth_text::sentences::{Statement, capital};
 use depth_text::style::Style;
 use egui::accesskit::Role;
 use egui::{RichText, Ui, UiBuilder};
 
-/// The results in one line: pairs of a method's name and its distance, or "–.– m" alone.
-pub fn headline(solution: &Solution, unit: LengthUnit) -> Vec<(Option<&'static str>, String)> {
-    let found: Vec<_> = Method::ALL
-        .into_iter()
-        .filter_map(|method| {
-            let distance = solution.outcome(method).distance()?;
-            Some((Some(method.name()), report::length(Some(distance), unit)))
-        })
-        .collect();
+/// The results in one line: a name and a value each, that to be used alone where there is one; "–.– m" where there is none.
+pub fn headline(assessment: &Assessment, unit: LengthUnit) -> Vec<(Option<&'static str>, String)> {
+    if let Some(unknown) = &assessment.unknown {
+        let value = report::unknown(Style::WINDOW, unknown, unit).unwrap_or_else(|| NO_NUMBER.to_owned());
+        return vec![(Some(Key::from(unknown.field).symbol), value)];
+    }
+    if let Some(combined) = assessment.solution.combined {
+        return vec![(Some(Card::Combined.title()), report::length(Some(combined.value), unit))];
+    }
+    let of_method = |method: Method| {
+        let distance = assessment.distance(method)?;
+        Some((Some(method.name()), report::length(Some(distance), unit)))
+    };
+    let found: Vec<_> = Method::ALL.into_iter().filter_map(of_method).collect();
     if found.is_empty() {
         vec![(None, report::length(None, unit))]
     } else {
         found
     }
+}
+
+/// The contents of the bar that keeps the result in sight on a phone.
+pub fn bar_ui(ui: &mut Ui, cx: &AppContext<'_>) {
+    let palette = theme::palette(ui);
+    let assessment = cx.session.assessment();
+    ui.horizontal_wrapped(|ui| {
+        for (name, value) in headline(assessment, cx.unit()) {
+            if let Some(name) = name {
+                ui.label(RichText::new(name).color(palette.muted));
+            }
+            ui.label(RichText::new(value).font(theme::strong(theme::BAR_RESULT_SIZE)).color(palette.text));
+            ui.add_space(2.0 * theme::STEP);
+        }
+        let verdict = Statement::comparison(&assessment.solution).filter(|_| assessment.solution.combined.is_none());
+        if let Some(words) = verdict.and_then(|statement| statement.verdict()) {
+            ui.label(RichText::new(words).color(palette.red));
+        }
+    });
 }
 
 /// Draws the result cards.
@@ -40,21 +65,20 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let (layout, unit) = (cx.layout, cx.unit());
     let assessment = cx.session.assessment();
     let solution = &assessment.solution;
+    let has_distance = |method| assessment.distance(method).is_some();
     if let Some(unknown) = &assessment.unknown {
-        let inputs = &cx.session.inputs;
-        let unit = inputs.unknown.and_then(|(_, field)| assessment.length_unit(field, inputs));
         card_ui(ui, Card::Solved(unknown.field), |ui| solved_ui(ui, unknown, unit));
-    }
-    let has_distance = |method| solution.outcome(method).distance().is_some();
-    if !Method::ALL.into_iter().any(has_distance) {
+    } else if !Method::ALL.into_iter().any(has_distance) {
         card_ui(ui, Card::NoResult, |ui| empty_ui(ui, cx));
         return;
     }
-    let shows = |&method: &Method| has_distance(method) || assessment.refusal(method).is_some();
+    let is_solved = |method| assessment.unknown.as_ref().is_some_and(|unknown| unknown.method == method);
+    let is_refused = |method| assessment.refusal(method).is_some() && !is_solved(method);
+    let shows = |&method: &Method| has_distance(method) || is_refused(method);
     let mut shown: Vec<Card> = Method::ALL.into_iter().filter(shows).map(Card::Distance).collect();
     let agreement = Statement::comparison(solution);
     shown.extend((solution.combined.is_some() || agreement.is_some()).then_some(Card::Combined));
-    let columns = if layout.columns() == 1 { 1 } else { shown.len() };
+    let columns = if layout.columns() == 1 { 1 } else { shown.len().max(1) };
     for row in shown.chunks(columns) {
         cards::row_ui(ui, row, layout.gap(), |ui, card, row| {
             card_ui(ui, card, |ui| {
@@ -90,13 +114,14 @@ fn combined_ui(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
     let palette = theme::palette(ui);
     let solution = &assessment.solution;
     let agreement = Statement::comparison(solution);
-    let (words, front, back) = match agreement {
-        Some(Statement::Agree { .. }) => ("They agree", palette.green, palette.green_tint),
-        Some(Statement::HardlyAgree { .. }) => ("They hardly agree", palette.orange_text, palette.orange_tint),
-        Some(Statement::Disagree { .. } | Statement::Contradict { .. }) => ("They disagree", palette.red, palette.red_tint),
-        _ => ("Combined", palette.muted, palette.highlight),
+    let (front, back) = match agreement {
+        Some(Statement::Agree { .. }) => (palette.green, palette.green_tint),
+        Some(Statement::HardlyAgree { .. }) => (palette.orange_text, palette.orange_tint),
+        Some(Statement::Disagree { .. } | Statement::Contradict { .. }) => (palette.red, palette.red_tint),
+        _ => (palette.muted, palette.highlight),
     };
-    text::badge_ui(ui, words, front, back);
+    let verdict = agreement.and_then(|statement| statement.verdict());
+    text::badge_ui(ui, verdict.unwrap_or(Card::Combined.title()), front, back);
     if let Some(combined) = solution.combined {
         const NAME: &str = "Combined distance";
         if combined.sigma.m() > 0.0 {
@@ -105,7 +130,7 @@ fn combined_ui(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
         } else {
             number_ui(ui, &report::length_number(Some(combined.value), unit), unit.symbol(), NAME);
         }
-        text::caption_ui(ui, Hint::Combined.to_string());
+        text::caption_ui(ui, capital(&Statement::Combined.to_string()));
     }
     if let Some(statement) = agreement.filter(|statement| !matches!(statement, Statement::Agree { .. })) {
         let response = ui.label(RichText::new(statement.to_string()).size(theme::SMALL_SIZE).color(palette.text));
@@ -119,27 +144,20 @@ fn combined_ui(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
 }
 
 /// The quantity that was solved for.
-fn solved_ui(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
+fn solved_ui(ui: &mut Ui, unknown: &Unknown, unit: LengthUnit) {
     let palette = theme::palette(ui);
-    text::badge_ui(
-        ui,
-        &format!("{}: {}", unknown.method.name(), Key::from(unknown.field).name),
-        palette.green,
-        palette.green_tint,
-    );
-    let words = match &unknown.outcome {
-        // It is said at the field.
-        Err(issue) if issue.is_about_distance() => depth_text::number::NO_NUMBER.to_owned(),
-        _ => report::unknown(Style::WINDOW, unknown, unit),
-    };
-    let size = if unknown.outcome.is_ok() {
-        theme::SOLVED_SIZE
-    } else {
-        theme::BODY_SIZE
-    };
-    let response = ui.label(RichText::new(words).font(theme::strong(size)).color(palette.text));
-    text::announce(ui, &response);
-    ui.accesskit_node_builder(response.id, |node| node.set_description(Key::from(unknown.field).name));
+    let name = Key::from(unknown.field).name;
+    text::badge_ui(ui, &format!("{}: {name}", unknown.method.name()), palette.green, palette.green_tint);
+    match (&unknown.outcome, report::unknown_in_parts(unknown, unit)) {
+        (_, Some([value, unit])) => number_ui(ui, &value, &unit, name),
+        (outcome, None) => {
+            number_ui(ui, NO_NUMBER, "", name);
+            // What is wrong with the distance is said at its field.
+            if let Some(issue) = outcome.as_ref().err().filter(|issue| !issue.is_about_distance()) {
+                text::caption_ui(ui, issue.to_string());
+            }
+        }
+    }
 }
 
 /// A card without a heading, as a region that assistive technology can jump to.
@@ -168,7 +186,9 @@ fn number_ui(ui: &mut Ui, value: &str, unit: &str, name: &str) {
     let mut small = egui::TextFormat::simple(theme::regular(theme::RESULT_UNIT_SIZE), palette.muted);
     // Text of two sizes is aligned at the bottom of the line; the taller line lifts the small one to the same baseline.
     small.line_height = Some(theme::RESULT_UNIT_SIZE * 1.21 + (theme::RESULT_SIZE - theme::RESULT_UNIT_SIZE) * 0.48);
-    job.append(&format!(" {unit}"), theme::RESULT_UNIT_GAP, small);
+    if !unit.is_empty() {
+        job.append(&format!(" {unit}"), theme::RESULT_UNIT_GAP, small);
+    }
     let response = ui.label(job);
     text::announce(ui, &response);
     ui.accesskit_node_builder(response.id, |node| node.set_description(name));
@@ -179,7 +199,7 @@ fn result_ui(ui: &mut Ui, assessment: &Assessment, method: Method, unit: LengthU
     let solution = &assessment.solution;
     let (front, back) = text::badge_colors(palette, method);
     text::badge_ui(ui, method.name(), front, back);
-    let distance = solution.outcome(method).distance();
+    let distance = assessment.distance(method);
     if let Some(refusal) = assessment.refusal(method).filter(|_| distance.is_none()) {
         // The field is marked and says so aloud already.
         ui.label(RichText::new(refusal.message()).size(theme::SMALL_SIZE).color(palette.red));
@@ -190,7 +210,7 @@ fn result_ui(ui: &mut Ui, assessment: &Assessment, method: Method, unit: LengthU
         (Some(distance), Some(uncertainty)) => {
             let words = report::with_sigma(distance, uncertainty.sigma, unit);
             number_ui(ui, &words.value, &format!("{} ± {}", unit.symbol(), words.sigma), &name);
-            let cause = report::main_cause(uncertainty).map_or_else(String::new, |cause| format!(" · {cause}"));
+            let cause = Statement::main_cause(uncertainty).map_or_else(String::new, |cause| format!(" · {cause}"));
             text::caption_ui(ui, format!("{}{cause}", report::interval(uncertainty, unit)));
         }
         _ => number_ui(ui, &report::length_number(distance, unit), unit.symbol(), &name),
@@ -208,14 +228,21 @@ fn result_ui(ui: &mut Ui, assessment: &Assessment, method: Method, unit: LengthU
 
 /// Without a distance: of each method, why, or what it needs.
 fn empty_ui(ui: &mut Ui, cx: &AppContext<'_>) {
-    number_ui(ui, depth_text::number::NO_NUMBER, cx.unit().symbol(), "Distance");
+    number_ui(ui, NO_NUMBER, cx.unit().symbol(), "Distance");
     let (inputs, assessment) = (&cx.session.inputs, cx.session.assessment());
+    let refusal = |method| assessment.refusal(method).filter(|_| inputs.is_begun(method));
+    let [stereo, monocular] = Method::ALL.map(refusal);
+    if let Some(both) = stereo.filter(|_| stereo == monocular) {
+        // Once is enough.
+        text::caption_ui(ui, both.message());
+        return;
+    }
     for method in Method::ALL {
-        let begun = inputs.is_begun(method);
-        let words = match (assessment.refusal(method), report::needs(inputs, method)) {
-            (Some(refusal), _) if begun => format!("{}: {}", method.name(), refusal.message()),
-            (_, Some(needs)) if begun => Hint::StillNeeds { method, needs }.to_string(),
-            _ => Hint::MethodNeeds { method }.to_string(),
+        let missing = inputs.missing_for(method);
+        let words = match refusal(method) {
+            Some(refusal) => format!("{}: {}", method.name(), refusal.message()),
+            None if inputs.is_begun(method) && !missing.is_empty() => Hint::StillNeeds { method, missing }.to_string(),
+            None => Hint::MethodNeeds { method }.to_string(),
         };
         text::caption_ui(ui, words);
     }

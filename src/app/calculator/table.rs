@@ -1,4 +1,4 @@
-//! The nine rows of inputs and outputs, and pairs of a name and a value.
+//! The rows of inputs and outputs, and pairs of a name and a value.
 
 use super::card::Card;
 use crate::app::theme;

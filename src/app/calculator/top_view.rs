@@ -5,22 +5,27 @@ use crate::app::sentences::{Description, Hint};
 use crate::app::theme::{self, Palette, top_view as size};
 use crate::app::widgets::plot::round_down;
 use crate::app::widgets::{picture, text};
-use crate::core::problem::{Method, Solution};
+use crate::core::problem::{Origin, Solution};
 use crate::core::quantity::{Length, LengthUnit};
-use depth_text::{number, report};
+use depth_text::assess::Assessment;
+use depth_text::field::Key;
+use depth_text::names::Named as _;
+use depth_text::style::Style;
+use depth_text::{fields, number, report};
 use egui::{Align2, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, pos2, vec2};
 
 /// Draws the picture.
-pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
+pub fn ui(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
     let palette = theme::palette(ui);
-    let Some(model) = Model::new(solution) else {
+    let Some(model) = Model::new(&assessment.solution) else {
         picture::empty_ui(ui, Card::TopView.title(), &Hint::NoTopView);
         return;
     };
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::PICTURE_HEIGHT), Sense::hover());
     let scene = Scene::new(&model, rect.shrink(size::PADDING));
-    paint(&ui.painter().with_clip_rect(rect), palette, &model, &scene, unit);
-    picture::describe(ui, &response, Card::TopView.title(), &model.description(unit));
+    let words = Words::new(assessment, &model, unit);
+    paint(&ui.painter().with_clip_rect(rect), palette, &model, &scene, &words);
+    picture::describe(ui, &response, Card::TopView.title(), &model.description(&words));
     text::caption_ui(ui, model.remark().to_string());
 }
 
@@ -28,6 +33,8 @@ pub fn ui(ui: &mut Ui, solution: &Solution, unit: LengthUnit) {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Model {
     depth_m: f64,
+    /// Where the depth is from, if there are two distances.
+    origin: Option<Origin>,
     /// Two cameras this far apart, or one.
     baseline_m: Option<f64>,
     /// The object's width, where it is known.
@@ -37,30 +44,26 @@ struct Model {
 }
 
 impl Model {
-    /// The stereo scene where there is a stereo distance, else the monocular one.
+    /// The scene at the [best](Solution::best) distance: with two cameras where there is a stereo distance, else with one.
     fn new(solution: &Solution) -> Option<Self> {
         let problem = &solution.problem;
-        let method = if solution.stereo.distance().is_some() {
-            Method::Stereo
-        } else {
-            Method::Monocular
+        let best = solution.best()?;
+        let interval_m = match best.origin {
+            Origin::Combined => solution.combined.map(|combined| {
+                let (value, sigma) = (combined.value.m(), combined.sigma.m());
+                ((value - sigma).max(0.0), Some(value + sigma))
+            }),
+            Origin::Method(method) => solution
+                .uncertainty(method)
+                .map(|uncertainty| (uncertainty.interval.near.m(), uncertainty.interval.far.map(Length::m))),
         };
-        let interval_m = solution
-            .uncertainty(method)
-            .map(|uncertainty| (uncertainty.interval.near.m(), uncertainty.interval.far.map(Length::m)));
-        let model = match solution.stereo.distance() {
-            Some(depth) => Self {
-                depth_m: depth.m(),
-                baseline_m: problem.baseline.map(|baseline| baseline.value.m()),
-                width_m: problem.foreshortened_width().map(|width| width.value.m()),
-                interval_m,
-            },
-            None => Self {
-                depth_m: solution.monocular.distance()?.m(),
-                baseline_m: None,
-                width_m: problem.foreshortened_width().map(|width| width.value.m()),
-                interval_m,
-            },
+        let has_stereo = solution.stereo.distance().is_some();
+        let model = Self {
+            depth_m: best.distance.value.m(),
+            origin: Some(best.origin).filter(|_| has_stereo && solution.monocular.distance().is_some()),
+            baseline_m: problem.baseline.filter(|_| has_stereo).map(|baseline| baseline.value.m()),
+            width_m: problem.foreshortened_width().map(|width| width.value.m()),
+            interval_m,
         };
         // Painting is done in f32, so lengths beyond its range are not drawn.
         let drawable = |length: f64| (1e-30..1e30).contains(&length);
@@ -78,12 +81,41 @@ impl Model {
         }
     }
 
-    fn description(&self, unit: LengthUnit) -> Description<'static> {
+    fn description<'a>(&self, words: &'a Words) -> Description<'a> {
         Description::TopView {
-            baseline: self.baseline_m.map(Length::from_m),
-            distance: Length::from_m(self.depth_m),
+            baseline: words.baseline.as_deref(),
+            distance: &words.distance,
             interval: self.interval_m.map(|(near, far)| (Length::from_m(near), far.map(Length::from_m))),
-            width: self.width_m.map(Length::from_m),
+            width: words.width.as_deref(),
+            unit: words.unit,
+        }
+    }
+}
+
+/// What is written into the picture: what was typed as it was typed, and the distance in the unit of the results.
+struct Words {
+    distance: String,
+    baseline: Option<String>,
+    width: Option<String>,
+    unit: LengthUnit,
+}
+
+impl Words {
+    fn new(assessment: &Assessment, model: &Model, unit: LengthUnit) -> Self {
+        let typed = |key: Key, meters: Option<f64>| {
+            let reading = assessment.reading(key).filter(|_| !assessment.is_solved_for(key));
+            let computed = report::length(meters.map(Length::from_m), unit);
+            meters.map(|_| reading.map_or(computed, |reading| Style::WINDOW.typed(reading)))
+        };
+        let distance = report::length(Some(Length::from_m(model.depth_m)), unit);
+        Self {
+            distance: match model.origin {
+                Some(Origin::Combined) => format!("{distance} (combined)"),
+                Some(Origin::Method(method)) => format!("{distance} ({})", method.name().to_lowercase()),
+                None => distance,
+            },
+            baseline: typed(fields::BASELINE, model.baseline_m),
+            width: typed(fields::REAL_WIDTH, model.width_m),
             unit,
         }
     }
@@ -153,7 +185,7 @@ impl Scene {
     }
 }
 
-fn paint(painter: &Painter, palette: &Palette, model: &Model, scene: &Scene, unit: LengthUnit) {
+fn paint(painter: &Painter, palette: &Palette, model: &Model, scene: &Scene, words: &Words) {
     let sight = Stroke::new(theme::SIGHT_LINE, palette.blue);
     let frame = scene.frame;
     // One camera sees the two edges of an object of known width; two cameras each see the point itself.
@@ -182,7 +214,7 @@ fn paint(painter: &Painter, palette: &Palette, model: &Model, scene: &Scene, uni
     for &camera in &scene.cameras {
         camera_body(painter, palette, camera);
     }
-    let text = format!("object {}", report::length(Some(Length::from_m(model.depth_m)), unit));
+    let text = format!("object {}", words.distance);
     let beside = scene.edges.map_or(scene.object, |[_, right]| right).max(scene.object);
     let label = Label {
         text: &text,
@@ -192,20 +224,20 @@ fn paint(painter: &Painter, palette: &Palette, model: &Model, scene: &Scene, uni
     };
     label.paint(painter, palette);
     if let Some(inset) = &scene.inset {
-        paint_inset(painter, palette, model, inset, unit);
-    } else if let Some(baseline) = model.baseline_m {
+        paint_inset(painter, palette, model, inset, words);
+    } else if let Some(baseline) = &words.baseline {
         let label = Label {
-            text: &baseline_text(baseline, unit),
+            text: &format!("b = {baseline}"),
             position: pos2(frame.center().x, frame.bottom() - size::BASELINE_LABEL_RISE),
             anchor: Align2::CENTER_CENTER,
             frame,
         };
         label.paint(painter, palette);
     }
-    paint_scale(painter, palette, scene, unit);
+    paint_scale(painter, palette, scene, words.unit);
 }
 
-fn paint_inset(painter: &Painter, palette: &Palette, model: &Model, inset: &Inset, unit: LengthUnit) {
+fn paint_inset(painter: &Painter, palette: &Palette, model: &Model, inset: &Inset, words: &Words) {
     painter.rect(
         inset.frame,
         theme::CONTROL_RADIUS,
@@ -241,8 +273,8 @@ fn paint_inset(painter: &Painter, palette: &Palette, model: &Model, inset: &Inse
         "cameras, enlarged".to_owned()
     };
     label(inset.frame.center_top() + vec2(0.0, size::INSET_TITLE_DROP), &enlarged);
-    if let Some(baseline) = model.baseline_m {
-        let text = baseline_text(baseline, unit);
+    if let Some(baseline) = &words.baseline {
+        let text = format!("b = {baseline}");
         label(inset.frame.center_bottom() - vec2(0.0, size::INSET_LABEL_RISE), &text);
     }
 }
@@ -271,10 +303,6 @@ fn paint_scale(painter: &Painter, palette: &Palette, scene: &Scene, unit: Length
         frame,
     };
     label.paint(painter, palette);
-}
-
-fn baseline_text(baseline_m: f64, unit: LengthUnit) -> String {
-    format!("b = {}", report::length(Some(Length::from_m(baseline_m)), unit))
 }
 
 fn camera_body(painter: &Painter, palette: &Palette, lens: Pos2) {

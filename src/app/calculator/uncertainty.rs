@@ -11,6 +11,7 @@ use crate::core::problem::{Field, Method, Solution};
 use crate::core::quantity::{Length, LengthUnit};
 use depth_text::report;
 use depth_text::sentences::Statement;
+use depth_text::sentences::{percent, short_name};
 use egui::{Align2, Color32, Rect, Sense, Ui, Vec2, pos2, vec2};
 
 /// Draws the cards of each method whose distance has a σ.
@@ -70,7 +71,7 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
         ui.allocate_ui_with_layout(line, egui::Layout::left_to_right(egui::Align::Center), |ui| {
             let (dot, _) = ui.allocate_exact_size(Vec2::splat(theme::LEGEND_MARK), Sense::hover());
             ui.painter().rect_filled(dot, theme::MARK_RADIUS, color_of(ui, share.source));
-            ui.label(format!("{} {}", report::short_name(share.source), report::percent(share.share)));
+            ui.label(format!("{} {}", short_name(share.source), percent(share.share)));
         });
     }
     if let Some(bias) = uncertainty.bias
@@ -106,7 +107,7 @@ fn simulation_ui(ui: &mut Ui, method: Method, simulation: &Simulation, unit: Len
             ("Median", end(distribution.median)),
             ("Middle 68 %", interval(distribution.interval_68)),
             ("Middle 95 %", interval(distribution.interval_95)),
-            ("Infinitely far", report::percent(distribution.share_infinite)),
+            ("Infinitely far", percent(distribution.share_infinite)),
         ],
     );
     let draws = distribution.drawn;

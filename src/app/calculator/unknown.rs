@@ -82,15 +82,12 @@ fn distance_note(unknown: &Unknown) -> Option<Note> {
 }
 
 /// What was solved for, in place of its field; a dash where something is lacking.
-pub fn solution_ui(ui: &mut Ui, unknown: &Unknown, unit: Option<LengthUnit>) {
+pub fn solution_ui(ui: &mut Ui, unknown: &Unknown, unit: LengthUnit) {
     let height = ui.spacing().interact_size.y;
     let palette = theme::palette(ui);
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     ui.painter().rect_filled(rect, theme::CONTROL_RADIUS, palette.highlight);
-    let words = match unknown.outcome {
-        Ok(_) => report::unknown(Style::WINDOW, unknown, unit),
-        Err(_) => NO_NUMBER.to_owned(),
-    };
+    let words = report::unknown(Style::WINDOW, unknown, unit).unwrap_or_else(|| NO_NUMBER.to_owned());
     // Not a live region: the result card says the same.
     ui.put(
         rect.shrink2(vec2(theme::SOLVED_INDENT, 0.0)),

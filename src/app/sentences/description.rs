@@ -1,10 +1,11 @@
 //! What a picture shows, in words, for whoever does not see it.
 
-use super::hint::Hint;
+use super::hint::{Hint, grouped};
 use crate::core::monte_carlo::Histogram;
 use crate::core::problem::{Method, Solution, Uncertainty};
 use crate::core::quantity::{Length, LengthUnit, Pixels};
 use depth_text::names::Named as _;
+use depth_text::sentences::percent;
 use depth_text::{number, report};
 use std::fmt::{self, Display, Formatter};
 
@@ -18,10 +19,10 @@ pub enum Description<'a> {
     /// The scene from above. `baseline` is absent for one camera, `width` where that of the object is not known, and the far end of
     /// `interval` where it is infinitely far away.
     TopView {
-        baseline: Option<Length>,
-        distance: Length,
+        baseline: Option<&'a str>,
+        distance: &'a str,
         interval: Option<(Length, Option<Length>)>,
-        width: Option<Length>,
+        width: Option<&'a str>,
         unit: LengthUnit,
     },
     /// The bar of the shares of the variance.
@@ -62,17 +63,17 @@ impl Display for Description<'_> {
                 unit,
             } => {
                 match baseline {
-                    Some(baseline) => write!(f, "Two cameras {} apart", length(baseline, unit))?,
+                    Some(baseline) => write!(f, "Two cameras {baseline} apart")?,
                     None => f.write_str("One camera")?,
                 }
-                write!(f, "; the object {} away", length(distance, unit))?;
+                write!(f, "; the object {distance} away")?;
                 match interval {
                     Some((near, Some(far))) => write!(f, ", between {} and {}", length(near, unit), length(far, unit))?,
                     Some((near, None)) => write!(f, ", {} or more", length(near, unit))?,
                     None => {}
                 }
                 if let Some(width) = width {
-                    write!(f, ", {} wide", length(width, unit))?;
+                    write!(f, ", {width} wide")?;
                 }
                 let place = if baseline.is_some() {
                     Hint::ObjectMidway
@@ -84,10 +85,11 @@ impl Display for Description<'_> {
             Self::Budget { uncertainty } => write!(f, "Shares of the variance: {}.", report::budget(uncertainty)),
             Self::Histogram { histogram, draws, unit } => write!(
                 f,
-                "Histogram of {draws} simulated distances from {} to {}, {} of the draws beyond.",
+                "Histogram of {} simulated distances from {} to {}, {} of the draws beyond.",
+                grouped(draws),
                 length(histogram.low, unit),
                 length(histogram.high, unit),
-                report::percent(f64::from(histogram.beyond) / f64::from(draws.max(1)))
+                percent(f64::from(histogram.beyond) / f64::from(draws.max(1)))
             ),
         }
     }
@@ -138,8 +140,8 @@ mod tests {
             Description::Bars { .. } => Description::Bars { solution: &solution, unit },
             Description::Curve { .. } => Description::Curve { point: Some((Pixels::new(50.0), meters(1.4))), unit },
             Description::TopView { .. } => Description::TopView {
-                baseline: Some(meters(0.1)),
-                distance: meters(1.4),
+                baseline: Some("10 cm"),
+                distance: "1.400 m (combined)",
                 interval: Some((meters(1.373), Some(meters(1.429)))),
                 width: None,
                 unit,
@@ -151,9 +153,9 @@ mod tests {
             Description::Curve { point: None, unit },
             Description::TopView {
                 baseline: None,
-                distance: meters(4.275),
+                distance: "4.275 m",
                 interval: Some((meters(4.1), None)),
-                width: Some(meters(0.9)),
+                width: Some("0.9 m"),
                 unit,
             },
         ]);

@@ -8,6 +8,7 @@ use depth_text::field::Key;
 use depth_text::names::{Named as _, formula};
 use depth_text::number::{plain, significant};
 use depth_text::report;
+use depth_text::sentences::needs;
 use std::fmt::{self, Display, Formatter};
 
 /// A hint, with its facts.
@@ -31,7 +32,7 @@ pub enum Hint {
     /// What a method needs before it gives a distance.
     MethodNeeds { method: Method },
     /// What is still missing of a method that was begun.
-    StillNeeds { method: Method, needs: String },
+    StillNeeds { method: Method, missing: Vec<Key> },
     /// The field of view that a focal length means.
     View { view: Angle },
     /// That a baseline may be in squares.
@@ -40,8 +41,6 @@ pub enum Hint {
     QMatrixCopy,
     /// That the tilt counts.
     TiltIsUsed { without: Length, unit: LengthUnit },
-    /// What the combined distance is.
-    Combined,
     /// How far the distance changes with one pixel of disparity.
     OnePixel { range: String },
     /// The bars, while no distance is known.
@@ -69,6 +68,7 @@ pub enum Hint {
 }
 
 impl Display for Hint {
+    #[expect(clippy::too_many_lines, reason = "an arm is a sentence, and the compiler asks for each")]
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Self::Example { key } => write!(f, "e.g. {}", key.example()),
@@ -92,7 +92,7 @@ impl Display for Hint {
                     formula(*method, false)
                 )
             }
-            Self::StillNeeds { method, needs } => write!(f, "{}: {needs}.", method.name()),
+            Self::StillNeeds { method, missing } => write!(f, "{}: {}.", method.name(), needs(missing)),
             Self::View { view } => write!(f, "A horizontal field of view of {}°.", significant(view.degrees(), 3)),
             Self::TiltIsUsed { without, unit } => write!(
                 f,
@@ -106,44 +106,36 @@ impl Display for Hint {
                 report::length(Some(*bias), *unit)
             ),
             Self::Simulating { total, percent } => {
-                write!(f, "Drawing {} {:03} times: {percent} %", total / 1000, total % 1000)
+                write!(f, "Drawing {} times: {percent} %", grouped(*total))
             }
             Self::Simulated { draws } => write!(
                 f,
-                "{draws} draws of all inputs, the same ones every time. A draw whose pixels are zero or less counts as infinitely far."
+                "{} draws of all inputs, the same ones every time. A draw whose pixels are zero or less counts as infinitely far.",
+                grouped(*draws)
             ),
-            _ => f.write_str(self.fixed()),
+            Self::Solved => f.write_str("Computed from the distance and the other quantities."),
+            Self::QMatrixForms => f.write_str("As numpy or MATLAB prints it, as OpenCV’s YAML, XML or JSON has it, or as sixteen numbers."),
+            Self::SquaresOfBoard => f.write_str("Or in squares of the calibration board, if the calibration was not told their size:"),
+            Self::QMatrixCopy => f.write_str("The matrix of the numbers in the form, with the baseline in meters:"),
+            Self::NoBars => f.write_str("The distances of both methods side by side, as soon as one of them is known."),
+            Self::ObjectAhead => f.write_str("The object is drawn straight ahead of the camera, facing it."),
+            Self::DepthOrRange => f.write_str("The distance of this program is the depth Z along the optical axis. A tape held at the lens measures the range R, which is longer away from the middle of the image."),
+            Self::TiltedTarget => f.write_str("A target turned away by an angle looks narrower by its cosine, so the monocular method puts it too far away. The distance is that to the plane of the target’s middle, along the optical axis."),
+            Self::GroundPlane => f.write_str("Where the ray of a pixel meets a level floor, or the level plane that the target reaches up to: straight ahead (h − h_target) / tan(θ + atan((v − cy) / fy)). Needs neither a second camera nor a known size. cx, cy and fy are those of Depth or range; the camera has no roll."),
+            Self::Sigma => f.write_str("One standard deviation, in the unit of the value, with a unit of its own, or in percent. Empty: none."),
+            Self::NoCurve => f.write_str("How fast the distance grows as the disparity shrinks, once focal length and baseline are known."),
+            Self::NoTopView => f.write_str("The cameras, their lines of sight and the object from above, as soon as a distance is known."),
+            Self::ObjectMidway => f.write_str("The object is drawn midway between the cameras; where it stands sideways needs more than a disparity."),
         }
     }
 }
 
-impl Hint {
-    /// The hints without a fact; empty for the others.
-    const fn fixed(&self) -> &'static str {
-        match self {
-            Self::Solved => "Computed from the distance and the other quantities.",
-            Self::QMatrixForms => "As numpy or MATLAB prints it, as OpenCV’s YAML, XML or JSON has it, or as sixteen numbers.",
-            Self::SquaresOfBoard => "Or in squares of the calibration board, if the calibration was not told their size:",
-            Self::QMatrixCopy => "The matrix of the numbers in the form, with the baseline in meters:",
-            Self::Combined => report::COMBINED_ESTIMATE,
-            Self::NoBars => "The distances of both methods side by side, as soon as one of them is known.",
-            Self::ObjectAhead => "The object is drawn straight ahead of the camera, facing it.",
-            Self::DepthOrRange => {
-                "The distance of this program is the depth Z along the optical axis. A tape held at the lens measures the range R, which is longer away from the middle of the image."
-            }
-            Self::TiltedTarget => {
-                "A target turned away by an angle looks narrower by its cosine, so the monocular method puts it too far away. The distance is that to the plane of the target’s middle, along the optical axis."
-            }
-            Self::GroundPlane => {
-                "Where the ray of a pixel meets a level floor, or the level plane that the target reaches up to: straight ahead (h − h_target) / tan(θ + atan((v − cy) / fy)). Needs neither a second camera nor a known size. cx, cy and fy are those of Depth or range; the camera has no roll."
-            }
-            Self::Sigma => "One standard deviation, in the unit of the value, with a unit of its own, or in percent. Empty: none.",
-            Self::NoCurve => "How fast the distance grows as the disparity shrinks, once focal length and baseline are known.",
-            Self::NoTopView => "The cameras, their lines of sight and the object from above, as soon as a distance is known.",
-            Self::ObjectMidway => "The object is drawn midway between the cameras; where it stands sideways needs more than a disparity.",
-            _ => "",
-        }
+/// A count with its thousands apart, so that no line breaks between them: "100 000".
+pub(super) fn grouped(count: u32) -> String {
+    if count < 10_000 {
+        return count.to_string();
     }
+    format!("{}\u{a0}{:03}", count / 1000, count % 1000)
 }
 
 /// The hint of the field, its unit, and its keys.
@@ -200,12 +192,11 @@ mod tests {
             Hint::QMatrixContents { .. } => Hint::QMatrixContents { geometry: geometry() },
             Hint::QMatrixUnit { .. } => Hint::QMatrixUnit { baseline: 100.0 },
             Hint::MethodNeeds { .. } => Hint::MethodNeeds { method: Method::Stereo },
-            Hint::StillNeeds { .. } => Hint::StillNeeds { method: Method::Stereo, needs: "needs b and d".into() },
+            Hint::StillNeeds { .. } => Hint::StillNeeds { method: Method::Stereo, missing: vec![fields::BASELINE, fields::DISPARITY] },
             Hint::View { .. } => Hint::View { view: Angle::from_degrees(54.317) },
             Hint::SquaresOfBoard => Hint::SquaresOfBoard,
             Hint::QMatrixCopy => Hint::QMatrixCopy,
             Hint::TiltIsUsed { .. } => Hint::TiltIsUsed { without: Length::from_m(4.275), unit: LengthUnit::Meter },
-            Hint::Combined => Hint::Combined,
             Hint::OnePixel { .. } => Hint::OnePixel { range: "1.373 … 1.429 m".into() },
             Hint::NoBars => Hint::NoBars,
             Hint::NoCurve => Hint::NoCurve,

@@ -62,7 +62,7 @@ impl Display for NoticeText {
             Self::NothingToClear => f.write_str("There was nothing to clear."),
             Self::FilledByExample => f.write_str("The example is filled in."),
             Self::FilledByLink => f.write_str("The link filled in the fields that it names."),
-            Self::FilledByQMatrix => f.write_str("The Q matrix filled in focal length, baseline and doffs."),
+            Self::FilledByQMatrix => f.write_str("The Q matrix filled in focal length, baseline, doffs and the principal point (cx, cy)."),
             Self::Undone => f.write_str("Undone."),
             Self::NothingToUndo => f.write_str("There is nothing to undo."),
             Self::Redone => f.write_str("Done again."),

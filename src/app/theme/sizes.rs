@@ -174,8 +174,6 @@ pub const QUOTE_BAR_RADIUS: f32 = 1.5;
 pub const RESULT_SIZE: f32 = 34.0;
 /// The unit behind it.
 pub const RESULT_UNIT_SIZE: f32 = 18.0;
-/// The quantity that was solved for, where it is not the distance.
-pub const SOLVED_SIZE: f32 = 26.0;
 /// The result in the bar at the bottom.
 pub const BAR_RESULT_SIZE: f32 = 18.0;
 /// Headings that egui draws.

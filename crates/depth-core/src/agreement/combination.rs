@@ -1,6 +1,6 @@
 //! Two distances to the same object made one.
 
-use super::comparison::Comparison;
+use super::comparison::{Comparison, Verdict};
 use crate::arithmetic::{log_ratio, root_sum_of_squares};
 use crate::measured::Measured;
 use crate::model::Model;
@@ -11,10 +11,10 @@ use crate::quantity::Length;
 /// With r₁ and r₂ the relative σ of each without the focal length and r_f = σ_f/f:
 /// ln Z = (ln Z₁/r₁² + ln Z₂/r₂²)/(1/r₁² + 1/r₂²) and (σ/Z)² = 1/(1/r₁² + 1/r₂²) + r_f², with r₁ and r₂ multiplied by
 /// max(1, z), z being how many σ the two are apart: what differs by more than its σ has a larger one.
-/// The result lies between the two. Where one of them has no uncertainty of its own it is the result.
+/// The result lies between the two.
 ///
-/// `None` where neither has: nothing is there to weigh them with. And where they [contradict](super::Comparison::contradict)
-/// each other: nothing between them would be right.
+/// `None` where one of them has no uncertainty of its own: nothing is there to weigh it with. And where they
+/// [contradict](super::Comparison::contradict) each other: nothing between them would be right.
 ///
 /// Both models must have the same focal length; r_f is taken from `first`.
 ///
@@ -41,14 +41,11 @@ pub fn combine(first: &Model, second: &Model) -> Option<Measured<Length>> {
     let (z1, z2) = (first.depth().m(), second.depth().m());
     let (r1, r2) = (first.own_relative_sigma(), second.own_relative_sigma());
     let r = root_sum_of_squares(&[r1, r2]);
-    if r == 0.0 {
+    let agreement = Comparison::of(first, second).agreement?;
+    if agreement.verdict == Verdict::Disagree {
         return None;
     }
-    let comparison = Comparison::of(first, second);
-    if comparison.contradict() {
-        return None;
-    }
-    let widened = comparison.agreement.map_or(1.0, |agreement| agreement.z.max(1.0));
+    let widened = agreement.z.max(1.0);
     let weight_of_second = (r1 / r) * (r1 / r);
     let log_ratio = log_ratio(z1, z2);
     // From the weightier of the two, so that the exponential stays in range however far they are apart.

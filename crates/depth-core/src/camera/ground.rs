@@ -63,6 +63,8 @@ pub struct GroundSolution {
     pub slant: Measured<Length>,
     /// The row at which the floor ends; `None` without rows, or where the camera looks straight up or down.
     pub horizon_row: Option<Pixels>,
+    /// The term behind most of the σ of the distance; `None` where it has none.
+    pub main_cause: Option<Term>,
 }
 
 /// A result with its derivatives.
@@ -159,15 +161,20 @@ impl Ray {
         }
     }
 
-    /// A result with its σ.
-    fn measured(&self, of: &Partials) -> Result<Measured<Length>, Unsolvable> {
+    /// What each term adds to the σ of a result: height, pitch, slope and focal length.
+    fn shares(&self, of: &Partials) -> [f64; 4] {
         let sigmas = &self.sigmas;
-        let sigma = root_sum_of_squares(&[
+        [
             of.per_meter_of_height * sigmas.height,
             of.per_radian_of_pitch * sigmas.pitch,
             of.per_slope * sigmas.slope,
             of.per_slope * sigmas.focal_slope + of.per_slope_right * sigmas.focal_slope_right,
-        ]);
+        ]
+    }
+
+    /// A result with its σ.
+    fn measured(&self, of: &Partials) -> Result<Measured<Length>, Unsolvable> {
+        let sigma = root_sum_of_squares(&self.shares(of));
         if of.value.is_finite() && sigma.is_finite() {
             Ok(Measured::from_base(of.value, sigma))
         } else {
@@ -213,21 +220,38 @@ impl GroundView {
     pub fn solve(&self) -> Result<GroundSolution, Unsolvable> {
         let ray = self.ray()?;
         let (ahead, right, slant) = (ray.ahead(), ray.right(), ray.slant());
+        let distance = along_floor(&ahead, &right);
         let measured = |of: &Partials| ray.measured(of);
+        let main_cause = self.main_cause(ray.shares(&distance));
+        let sigma = ray.measured(&distance)?.sigma.m() / slant.value;
+        judge::relative_sigma(main_cause.unwrap_or(Term::Distance), sigma)?;
         Ok(GroundSolution {
-            distance: measured(&along_floor(&ahead, &right))?,
+            distance: measured(&distance)?,
             ahead: measured(&ahead)?,
             right: self.right_of_axis.map(|_| measured(&right)).transpose()?,
             slant: measured(&slant)?,
             horizon_row: self.horizon_row(),
+            main_cause,
         })
+    }
+
+    /// The term with the largest of these [shares](Ray::shares).
+    fn main_cause(&self, shares: [f64; 4]) -> Option<Term> {
+        let below_axis = match self.below_axis {
+            BelowAxis::Row { .. } => Term::Row,
+            BelowAxis::Angle(_) => Term::BelowAxis,
+        };
+        let terms = [Term::CameraHeight, Term::Pitch, below_axis, Term::Input(Field::FocalLength)];
+        let shares = terms.into_iter().zip(shares.map(f64::abs));
+        let largest = shares.max_by(|(_, a), (_, b)| a.total_cmp(b));
+        largest.filter(|(_, share)| *share > 0.0).map(|(term, _)| term)
     }
 
     /// The ray, where it meets the plane.
     fn ray(&self) -> Result<Ray, Unsolvable> {
         let height = judge::positive_measured(Term::CameraHeight, self.height)?;
         judge::value(Term::TargetHeight, judge::finite(self.target_height.m()))?;
-        let pitch = judge::finite_measured(Term::Pitch, self.pitch)?;
+        let pitch = judge::angle_measured(Term::Pitch, self.pitch)?;
         let y = self.slope_down()?;
         let x = self.slope_right()?;
         let h = height.value.m() - self.target_height.m();
@@ -326,7 +350,7 @@ impl GroundView {
                 Ok(Measured::new(slope, row.sigma.px() / fy))
             }
             BelowAxis::Angle(angle) => {
-                let angle = judge::finite_measured(Term::BelowAxis, angle)?;
+                let angle = judge::angle_measured(Term::BelowAxis, angle)?;
                 if angle.value.radians().abs() >= FRAC_PI_2 {
                     return Err(Unsolvable::Value {
                         term: Term::BelowAxis,

@@ -59,9 +59,7 @@ impl Problem {
             stereo_uncertainty,
             monocular_uncertainty,
             comparison: models.map(|(stereo, monocular)| Comparison::of(&stereo, &monocular)),
-            combined: models
-                .filter(|(stereo, monocular)| Comparison::of(stereo, monocular).agreement.is_some())
-                .and_then(|(stereo, monocular)| agreement::combine(&stereo, &monocular)),
+            combined: models.and_then(|(stereo, monocular)| agreement::combine(&stereo, &monocular)),
             unusable_sigma: unusable.or(also_unusable),
         }
     }
@@ -104,6 +102,27 @@ impl Problem {
             return None;
         }
         finite_length(stereo::depth(self.focal_length?.value, self.baseline?.value, disparity))
+    }
+
+    /// The monocular distance if the target faced the camera, w_real·fx/w_img; `None` where it does, or where that has no distance.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut door = Problem::default();
+    /// door.set(Field::FocalLength, Some(1000.0));
+    /// door.set(Field::RealWidth, Some(0.9));
+    /// door.set(Field::ImageWidth, Some(100.0));
+    /// assert_eq!(door.distance_if_facing(), None);
+    /// door.set(Field::Tilt, Some(60_f64.to_radians()));
+    /// // 4.5 m with the tilt.
+    /// assert_eq!(door.distance_if_facing().unwrap().m(), 9.0);
+    /// ```
+    ///
+    /// Source: [`monocular::depth`].
+    pub fn distance_if_facing(&self) -> Option<Length> {
+        let tilt = self.tilt?;
+        let facing = Self { tilt: None, ..*self };
+        facing.solve_method(Method::Monocular).distance().filter(|_| tilt.radians() != 0.0)
     }
 
     /// The inputs of `method` with their σ, as one model.

@@ -7,14 +7,14 @@ use crate::fields::DISTANCE;
 use crate::form::Inputs;
 use crate::geometry::Geometry;
 use crate::names::Named as _;
-use crate::note::{Note, Part, Severity};
+use crate::note::{Part, Severity};
 use crate::number::{exact, significant};
 use crate::reading;
 use crate::report::{
-    self, COMBINED, DIGITS, ESTIMATED_WIDTH_PX, ONE_PIXEL, agreement, certainty, estimated_width_name, formula, formula_with_numbers,
-    length, needs, one_pixel_range, point_origin, unknown,
+    self, DIGITS, ESTIMATED_WIDTH_PX, ONE_PIXEL, WITHOUT_TILT, agreement, certainty, estimated_width_name, formula, formula_with_numbers,
+    length, one_pixel_range, point_origin, unknown,
 };
-use crate::sentences::{Statement, capital, quoted};
+use crate::sentences::{Statement, capital, needs, quoted};
 use crate::style::Style;
 use crate::unit::Unit;
 use depth_core::problem::{Method, Solution};
@@ -43,7 +43,7 @@ impl Exporter for Text {
         let methods = Method::ALL
             .into_iter()
             .flat_map(|method| of_method(inputs, assessment, method, unit));
-        let results = solved_for(inputs, assessment)
+        let results = solved_for(assessment, unit)
             .into_iter()
             .chain(methods)
             .chain(comparison(assessment, unit))
@@ -86,25 +86,36 @@ fn input(inputs: &Inputs, assessment: &Assessment, key: Key) -> String {
 }
 
 /// What was solved for.
-fn solved_for(inputs: &Inputs, assessment: &Assessment) -> Option<String> {
+fn solved_for(assessment: &Assessment, unit: LengthUnit) -> Option<String> {
     let solved = assessment.unknown.as_ref()?;
-    let key = Key::from(solved.field);
-    let value = unknown(STYLE, solved, assessment.length_unit(key, inputs));
-    Some(format!(
-        "{} of the {} distance: {value}",
-        key.name,
-        solved.method.name().to_lowercase()
-    ))
+    let name = Key::from(solved.field).name;
+    let value = match (&solved.outcome, unknown(STYLE, solved, unit)) {
+        (_, Some(value)) => value,
+        (Ok(_), None) => return None,
+        (Err(_), None) if assessment.refusal(solved.method).is_some() => refused(assessment, solved.method)?,
+        (Err(issue), None) => issue.to_string(),
+    };
+    Some(format!("{name} of the {} distance: {value}", solved.method.name().to_lowercase()))
+}
+
+/// Why there is no distance of `method` though its fields are filled in: what is wrong is said among the notes.
+fn refused(assessment: &Assessment, method: Method) -> Option<String> {
+    let key = assessment.refusal(method)?.key;
+    Some(Statement::SeeNote { key }.to_string())
 }
 
 /// The distance of `method`, rounded and with every digit, and how sure it is; or why there is none, if it was asked for.
 fn of_method(inputs: &Inputs, assessment: &Assessment, method: Method, unit: LengthUnit) -> Vec<String> {
     let solution = &assessment.solution;
     let name = format!("{} distance, {}", method.name(), formula(solution, method));
-    let Some(distance) = solution.outcome(method).distance() else {
-        let why = assessment.refusal(method).map(Note::message).or_else(|| needs(inputs, method));
-        let asked_for = inputs.is_begun(method);
-        return why.filter(|_| asked_for).map(|why| format!("{name}: {why}")).into_iter().collect();
+    if assessment.unknown.as_ref().is_some_and(|unknown| unknown.method == method) {
+        // Its distance was given.
+        return Vec::new();
+    }
+    let Some(distance) = assessment.distance(method) else {
+        let why = refused(assessment, method).unwrap_or_else(|| needs(&inputs.missing_for(method)));
+        let is_asked_for = inputs.is_begun(method) && !why.is_empty();
+        return is_asked_for.then(|| format!("{name}: {why}")).into_iter().collect();
     };
     let value = STYLE.distance(solution, method, unit);
     let line = format!("{name}: {value} (unrounded {} {})", exact(distance.in_unit(unit)), unit.symbol());
@@ -113,8 +124,11 @@ fn of_method(inputs: &Inputs, assessment: &Assessment, method: Method, unit: Len
     let one_pixel = one_pixel.map(|range| format!("  with {ONE_PIXEL}: {range}"));
     let uncertainty = solution.uncertainty(method);
     let certainty = uncertainty.into_iter().flat_map(|uncertainty| certainty(STYLE, uncertainty, unit));
+    let facing = assessment.geometry.facing.filter(|_| method == Method::Monocular);
+    let facing = facing.map(|facing| format!("  {WITHOUT_TILT}: {}", length(Some(facing), unit)));
     let indented = certainty.map(|line| format!("  {line}"));
-    std::iter::once(line).chain(numbers).chain(one_pixel).chain(indented).collect()
+    let below = numbers.into_iter().chain(one_pixel).chain(facing).chain(indented);
+    std::iter::once(line).chain(below).collect()
 }
 
 /// The point in space and the point on the floor.
@@ -135,7 +149,7 @@ fn geometry(geometry: &Geometry, unit: LengthUnit) -> Vec<String> {
 /// What both distances say together.
 fn comparison(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
     let combined = assessment.solution.combined;
-    let combined = combined.map(|combined| format!("{}: {}", capital(COMBINED), STYLE.measured(combined, unit)));
+    let combined = combined.map(|combined| format!("{}: {}", capital(&Statement::Combined.to_string()), STYLE.measured(combined, unit)));
     let agreement = agreement(assessment).into_iter().map(|line| format!("  {line}"));
     combined.into_iter().chain(agreement).collect()
 }

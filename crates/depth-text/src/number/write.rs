@@ -125,6 +125,11 @@ fn exponent_of(scientific: &str) -> Option<i32> {
     scientific.split_once('e')?.1.parse().ok()
 }
 
+/// A number as people type it with the minus of print.
+pub fn with_minus(number: &str) -> String {
+    number.replace('-', "−")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -10,4 +10,4 @@ mod words;
 
 pub use command_line::CommandLine;
 pub use statement::Statement;
-pub use words::{capital, quoted};
+pub use words::{capital, needs, percent, quoted, short_name};

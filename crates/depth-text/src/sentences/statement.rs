@@ -1,12 +1,12 @@
 //! What follows from the numbers: whether two distances agree, what to look at if not, and how good a description is.
 
-use super::words::capital;
+use super::words::{capital, percent, short_name};
 use crate::field::Key;
 use crate::names::Named as _;
 use crate::number::{plain, significant};
 use crate::variants::variants;
 use depth_core::agreement::{Agreement, Suspect, Verdict};
-use depth_core::problem::{Method, Solution};
+use depth_core::problem::{Field, Method, Solution, Uncertainty};
 use depth_core::quantity::LengthUnit;
 use std::fmt::{self, Display, Formatter};
 
@@ -24,6 +24,13 @@ variants! {
         CannotJudge { stereo_over_monocular: Option<f64> },
         /// So too, and one is so much larger that not both can be right.
         Contradict { stereo_over_monocular: Option<f64> },
+
+        /// What the combined distance is.
+        Combined,
+        /// The input behind most of the variance, and its share.
+        MainCause { source: Field, share: f64 },
+        /// Why there is no distance is said at this field.
+        SeeNote { key: Key },
 
         /// The disparity may be a stored fixed-point number.
         RawDisparity { scale: f64 },
@@ -67,6 +74,25 @@ impl Statement {
             None if comparison.contradict() => Some(Self::Contradict { stereo_over_monocular }),
             None => has_sigma.then_some(Self::CannotJudge { stereo_over_monocular }),
         }
+    }
+
+    /// Whether both agree, in a word or two; `None` for another sentence.
+    pub const fn verdict(&self) -> Option<&'static str> {
+        match self {
+            Self::Agree { .. } => Some("They agree"),
+            Self::HardlyAgree { .. } => Some("They hardly agree"),
+            Self::Disagree { .. } | Self::Contradict { .. } => Some("They disagree"),
+            _ => None,
+        }
+    }
+
+    /// The input behind most of the variance.
+    pub fn main_cause(uncertainty: &Uncertainty) -> Option<Self> {
+        let cause = uncertainty.main_cause()?;
+        Some(Self::MainCause {
+            source: cause.source,
+            share: cause.share,
+        })
     }
 
     /// What a suspect is suspected of.
@@ -120,6 +146,12 @@ impl Display for Statement {
                 Some(times) => write!(f, "{}: an input is wrong.", capital(&times)),
                 None => f.write_str("Stereo and monocular have nothing to do with each other: an input is wrong."),
             },
+            Self::Combined => f.write_str("combined, the shared focal length accounted for"),
+            Self::MainCause { source, share } => {
+                let how = if share >= 0.5 { "mostly" } else { "most of it" };
+                write!(f, "{how} from {} ({})", short_name(source), percent(share))
+            }
+            Self::SeeNote { key } => write!(f, "none; see the note on {}", key.noun),
             Self::RawDisparity { .. }
             | Self::UnitSlip { .. }
             | Self::OtherSize { .. }
