@@ -25,6 +25,9 @@ fn the_floor_in_every_unit() {
         2.179,
         5e-4,
     );
+    let both = ground(&["--pitch", "10", "--angle", "5", "--height", "1.2 m ± 2 cm"]);
+    let apart = ground(&["--pitch", "10", "--angle", "5", "--height", "1.2", "--sigma-height", "2 cm"]);
+    assert_eq!(both, apart);
     let uncertain = |option: &str, sigma: &str| {
         let camera = ["--fx", "700", "--cy", "360", "--pitch", "10", "--row", "500", "--height", "1.2"];
         ground(&[&camera[..], &[option, sigma]].concat())["sigma_m"].clone()

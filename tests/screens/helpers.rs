@@ -40,6 +40,36 @@ fn a_q_matrix_fills_in_camera_and_rig_once_its_unit_is_told() {
     assert!(program.says("0.7778 m"), "{}", program.text());
 }
 
+/// What is in the form can be taken to OpenCV, whatever is in the field for a matrix.
+#[test]
+fn a_q_matrix_of_the_form_is_copied_in_the_form_of_opencv() {
+    let mut program = Program::new();
+    program.mug();
+    program.press("from lens, FOV or Q…");
+    program.choose("What is known", "A Q matrix");
+    assert!(program.says("it needs cx and cy"), "{}", program.text());
+    program.press("Cancel");
+    program.press("Range, tilt, ground plane");
+    program.type_into("Principal point cx", "640");
+    program.type_into("Principal point cy", "360");
+    program.press("from lens, FOV or Q…");
+    for typed in ["", "1 2 3"] {
+        program.harness.get_by_label("Q matrix").focus();
+        program.harness.run();
+        program.harness.get_by_label("Q matrix").type_text(typed);
+        program.harness.run();
+        program.machine.clipboard.borrow_mut().take();
+        program.press("Copy Q matrix");
+        let copied = program.machine.clipboard.borrow().clone().unwrap();
+        assert!(
+            copied.contains("Q: !!opencv-matrix") && copied.contains("0., 0., 10., 0. ]"),
+            "{copied}"
+        );
+        let q = depth_text::q_matrix::read(&copied).unwrap();
+        assert_eq!((q.focal_length.px(), q.baseline, q.cx.px(), q.cy.px()), (700.0, 0.1, 640.0, 360.0));
+    }
+}
+
 #[test]
 fn units_are_said_and_not_only_painted() {
     let mut program = Program::new();

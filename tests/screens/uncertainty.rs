@@ -131,3 +131,16 @@ fn a_simulation_takes_a_share_of_each_frame_and_tells_how_far_it_is() {
     assert_eq!(told.last(), Some(&75.0), "{told:?}");
     assert!(told.len() <= 4, "{told:?}");
 }
+
+/// What was pasted from a log.
+#[test]
+fn a_sigma_typed_behind_the_value_opens_its_field() {
+    let mut program = Program::new();
+    program.mug();
+    program.type_into(D, "50 ± 0.5 px");
+    assert!(program.says("1.400 ± 0.014 m") || program.says("± 0.014"), "{}", program.text());
+    program.harness.key_press(egui::Key::Tab);
+    program.harness.run();
+    assert_eq!(program.value(D), "50");
+    assert_eq!(program.value("Uncertainty of Disparity (d)"), "0.5 px");
+}

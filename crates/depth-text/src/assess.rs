@@ -235,7 +235,7 @@ impl Inputs {
         if judge::positive(reading.value).is_err() {
             return Err(Issue::NotADistance { text: text() });
         }
-        let sigma = if self.with_uncertainty {
+        let sigma = if self.counts_sigma(key) {
             reading::read_sigma(key, entry, reading.unit, Some(reading.value)).map_err(|note| note.issue)?
         } else {
             None
@@ -309,7 +309,8 @@ impl Inputs {
     /// Whether what was typed for σ of the field `key` counts. Those of the ground plane and of a range always do, as they are
     /// always shown.
     pub fn counts_sigma(&self, key: Key) -> bool {
-        let is_shown = self.with_uncertainty || matches!(key.section, Some(Section::Point | Section::Ground));
+        let is_shown =
+            self.with_uncertainty || self.entry(key).parts().is_some() || matches!(key.section, Some(Section::Point | Section::Ground));
         key.has_sigma && is_shown && !self.is_solved_for(key)
     }
 

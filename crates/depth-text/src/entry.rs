@@ -5,6 +5,7 @@ use crate::number;
 use crate::unit::Unit;
 use depth_core::quantity::LengthUnit;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// One field as typed.
@@ -48,6 +49,38 @@ impl Entry {
         self.text.trim().is_empty()
     }
 
+    /// Value and σ, where both were typed into the field: "50 ± 0.5 px", "1.2 m ± 2 cm", "(1.400 ± 0.016) m".
+    pub(crate) fn parts(&self) -> Option<(String, String)> {
+        let (value, sigma) = self.text.split_once('±').or_else(|| self.text.split_once("+/-"))?;
+        let (value, sigma) = (value.trim(), sigma.trim());
+        let in_brackets = value.strip_prefix('(').zip(sigma.rsplit_once(')'));
+        if let Some((value, (sigma, unit))) = in_brackets {
+            let with_unit = |number: &str| format!("{} {}", number.trim(), unit.trim()).trim_end().to_owned();
+            return Some((with_unit(value), with_unit(sigma)));
+        }
+        // A unit behind both is that of both.
+        let unit = match (number::read(value), number::read(sigma)) {
+            (Ok(value), Ok(sigma)) if value.unit.is_none() => sigma.unit_text,
+            _ => "",
+        };
+        let value = format!("{value} {unit}").trim_end().to_owned();
+        Some((value, sigma.to_owned()))
+    }
+
+    /// The value as typed, without a σ behind it.
+    pub fn value_text(&self) -> Cow<'_, str> {
+        self.parts().map_or(Cow::Borrowed(&self.text), |(value, _)| Cow::Owned(value))
+    }
+
+    /// The σ as typed, without the sign in front of it: in its own field or behind the value.
+    pub fn sigma_text(&self) -> Cow<'_, str> {
+        let own = self.sigma.trim().trim_start_matches('±').trim();
+        match self.parts() {
+            Some((_, sigma)) if own.is_empty() => Cow::Owned(sigma),
+            _ => Cow::Borrowed(own),
+        }
+    }
+
     /// The unit of a bare number in the field `key`.
     pub fn chosen_unit(&self, key: Key) -> Option<Unit> {
         match (key.kind.default_unit(), self.unit) {
@@ -56,8 +89,12 @@ impl Entry {
         }
     }
 
-    /// Moves a unit typed behind the number into the choice beside it. What cannot be read is left as it is.
+    /// Moves a unit typed behind the number into the choice beside it, and a σ into its field. What cannot be read is left as it is.
     pub fn tidy(&mut self, key: Key) {
+        if let Some((value, sigma)) = self.parts().filter(|_| key.has_sigma && self.sigma.trim().is_empty()) {
+            self.text = value;
+            self.sigma = sigma;
+        }
         let Ok(typed) = number::read(&self.text) else { return };
         match typed.unit.filter(|&unit| key.kind.reads(unit)) {
             Some(Unit::Length(unit)) if key.is_length() => {

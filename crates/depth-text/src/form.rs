@@ -103,9 +103,11 @@ impl Inputs {
         Key::form().all(|key| self.entry(key).is_blank() && self.sigma(key).trim().is_empty())
     }
 
-    /// Moves a unit typed behind the number into the choice beside it. What cannot be read is left as it is.
+    /// Moves a unit typed behind the number into the choice beside it, and a σ into its field, which is then shown. What cannot be
+    /// read is left as it is.
     pub fn tidy(&mut self, key: impl Into<Key>) {
         let key = key.into();
+        self.with_uncertainty |= key.has_sigma && self.entry(key).parts().is_some();
         self.entry_mut(key).tidy(key);
     }
 

@@ -94,7 +94,8 @@ impl Issue {
     /// The part of the field that it is about.
     pub const fn part(&self) -> Part {
         match self {
-            Self::SigmaTwoReadings { .. }
+            Self::TwoSigmas { .. }
+            | Self::SigmaTwoReadings { .. }
             | Self::SigmaUnknownUnit { .. }
             | Self::SigmaWrongUnit { .. }
             | Self::SigmaUnitAndPercent { .. }
@@ -206,6 +207,10 @@ variants! {
         /// A field of view in degrees that would be usual in radians.
         DegreesOrRadians { number: String },
 
+        /// A σ in the field and another one behind the value.
+        TwoSigmas { one: String, other: String },
+        /// A σ where the value is taken to be exact.
+        NoSigma { key: Key },
         /// A σ that could mean more than one number.
         SigmaTwoReadings { key: Key, text: String },
         /// A σ with a unit that does not exist.

@@ -188,7 +188,7 @@ pub(crate) fn refused(key: Key, entry: &Entry, refusal: Refusal, reading: Option
 
 fn unusual(key: Key, field: Field, reading: Option<&Reading>) -> Note {
     if field == Field::FocalLength
-        && let Some(reading) = reading.filter(|reading| MULTIPLES.contains(&reading.value))
+        && let Some(reading) = reading.filter(|reading| reading.value < LARGEST_MULTIPLE)
     {
         return multiple_of_width(key, reading);
     }
@@ -208,9 +208,8 @@ fn unusual(key: Key, field: Field, reading: Option<&Reading>) -> Note {
     Note::warning(key, Issue::UnusualUnit { key, number, unit, better }).with_fixes(vec![fix])
 }
 
-/// A focal length between these is no number of pixels but a multiple of the width of the image, or of half of it: views between
-/// 169° and 3°.
-const MULTIPLES: std::ops::Range<f64> = 0.1..10.0;
+/// A focal length below this is no number of pixels but a multiple of the width of the image, or of half of it.
+const LARGEST_MULTIPLE: f64 = 10.0;
 
 /// Asks whether a focal length is a multiple of the width of the image or of half of it.
 fn multiple_of_width(key: Key, reading: &Reading) -> Note {

@@ -2,9 +2,11 @@
 //! sixteen numbers. One scanner takes the numbers behind the name Q; it is no parser of any of these formats.
 
 use crate::assess::Assessment;
-use crate::fields::{CX, CY};
+use crate::field::Key;
+use crate::fields::{BASELINE, CX, CY, FOCAL_LENGTH};
+use crate::form::Inputs;
 use crate::note::Issue;
-use crate::number::plain;
+use crate::number::exact;
 use depth_core::q_matrix::{self, StereoGeometry};
 use depth_core::quantity::Pixels;
 
@@ -15,7 +17,9 @@ use depth_core::quantity::Pixels;
 pub fn read(text: &str) -> Result<StereoGeometry, Issue> {
     // Whatever stands for a minus in what was copied from a document.
     let text = text.replace(['−', '–', '—', '‐', '‑', '﹣', '－'], "-");
-    let Scanned { numbers, factor } = numbers(entries(&text)?)?;
+    let entries = entries(&text)?;
+    let side_by_side = side_by_side(entries);
+    let Scanned { numbers, factor } = numbers(side_by_side.as_deref().unwrap_or(entries))?;
     let mut matrix = [[0.0; 4]; 4];
     for (slot, (number, _)) in matrix.iter_mut().flatten().zip(&numbers) {
         *slot = number * factor.unwrap_or(1.0);
@@ -117,6 +121,32 @@ fn behind_data(text: &str) -> &str {
         }
     }
     text
+}
+
+/// The rows of a matrix that MATLAB or Octave printed in parts because it was too wide, each in one piece again; `None` where it
+/// is in one piece. A part is headed "Columns 1 through 3" or "Column 4".
+fn side_by_side(text: &str) -> Option<String> {
+    let is_header = |line: &str| {
+        let words = line.trim().trim_end_matches(':');
+        let range = words.strip_prefix("Columns ").or_else(|| words.strip_prefix("Column "));
+        range.is_some_and(|range| {
+            let mut words = range.split_whitespace();
+            words.all(|word| word.parse::<usize>().is_ok() || matches!(word, "through" | "to" | "and"))
+        })
+    };
+    let first = text.lines().position(is_header)?;
+    let mut joined = text.lines().take(first).collect::<Vec<_>>().join("\n");
+    let lines: Vec<&str> = text.lines().skip(first).filter(|line| !line.trim().is_empty()).collect();
+    let parts = lines.split(|line| is_header(line)).filter(|part| !part.is_empty());
+    let parts: Vec<&[&str]> = parts.collect();
+    for row in 0..4 {
+        joined.push('\n');
+        for part in &parts {
+            joined.push(' ');
+            joined.push_str(part.get(row).copied().unwrap_or_default());
+        }
+    }
+    Some(joined)
 }
 
 /// The numbers of a matrix, each with the unit of its last digit, and what all of them are to be multiplied by.
@@ -301,9 +331,22 @@ pub fn of_form(assessment: &Assessment) -> Option<StereoGeometry> {
     })
 }
 
-/// The Q matrix of `geometry` as `stereoRectify` makes it, in the notation of numpy, which every reader of Q here takes too.
+/// The Q matrix of `geometry` as `stereoRectify` makes it, in YAML as OpenCV's `FileStorage` writes and reads it.
 pub fn written(geometry: &StereoGeometry) -> Option<String> {
-    let matrix = q_matrix::of(geometry)?;
-    let rows = matrix.map(|row| format!("[{}]", row.map(plain).join(", ")));
-    Some(format!("[{}]", rows.join(",\n ")))
+    // OpenCV's own writer puts a point behind every whole number, as its reader makes an integer of what has none.
+    let entry = |number: f64| {
+        let digits = exact(number);
+        if digits.contains(['.', 'e']) { digits } else { digits + "." }
+    };
+    let rows = q_matrix::of(geometry)?.map(|row| row.map(entry).join(", "));
+    let data = rows.join(",\n       ");
+    Some(format!(
+        "%YAML:1.0\n---\nQ: !!opencv-matrix\n   rows: 4\n   cols: 4\n   dt: d\n   data: [ {data} ]\n"
+    ))
+}
+
+/// What of the form is missing for a Q matrix, in reading order.
+pub fn missing_for_form(inputs: &Inputs) -> Vec<Key> {
+    let needed = [FOCAL_LENGTH, BASELINE, CX, CY].into_iter();
+    needed.filter(|&key| inputs.entry(key).is_blank()).collect()
 }

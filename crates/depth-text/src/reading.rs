@@ -67,7 +67,11 @@ pub fn read(key: Key, entry: &Entry) -> Result<Option<Reading>, Note> {
     if entry.is_blank() {
         return Ok(None);
     }
-    let typed = number::read(&entry.text).map_err(|error| unreadable(key, entry, error))?;
+    let text = entry.value_text();
+    if !key.has_sigma && text != entry.text {
+        return Err(Note::error(key, Issue::NoSigma { key }));
+    }
+    let typed = number::read(&text).map_err(|error| unreadable(key, entry, error))?;
     let unit = match typed.unit {
         None => entry.chosen_unit(key),
         Some(unit) if key.kind.reads(unit) => Some(unit),
@@ -102,12 +106,18 @@ pub fn read(key: Key, entry: &Entry) -> Result<Option<Reading>, Note> {
 /// # Errors
 /// What is wrong with it.
 pub fn read_sigma(key: Key, entry: &Entry, unit: Option<Unit>, value: Option<f64>) -> Result<Option<f64>, Note> {
-    let text = sigma_text(entry);
+    let text = entry.sigma_text();
+    let text = text.as_ref();
     if text.is_empty() {
         return Ok(None);
     }
     let quote = || text.to_owned();
     let wrong = |issue: Issue| Err(Note::of_sigma(key, issue));
+    if let Some((_, other)) = entry.parts()
+        && !entry.sigma.trim().is_empty()
+    {
+        return wrong(Issue::TwoSigmas { one: quote(), other });
+    }
     let (number_text, percent) = text.strip_suffix('%').map_or((text, false), |number| (number, true));
     let typed = match number::read(number_text) {
         Ok(typed) => typed,
@@ -143,11 +153,6 @@ pub fn read_with_sigma(key: Key, entry: &Entry) -> Result<Option<Reading>, Note>
     let unit = reading.as_ref().map_or_else(|| entry.chosen_unit(key), |reading| reading.unit);
     let sigma = read_sigma(key, entry, unit, reading.as_ref().map(|reading| reading.value))?;
     Ok(reading.map(|reading| Reading { sigma, ..reading }))
-}
-
-/// What was typed for σ, without the sign in front of it.
-pub fn sigma_text(entry: &Entry) -> &str {
-    entry.sigma.trim().trim_start_matches('±').trim()
 }
 
 fn wrong_unit(key: Key, entry: &Entry, typed: Typed<'_>, unit: Unit) -> Issue {

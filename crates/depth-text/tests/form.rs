@@ -323,3 +323,42 @@ fn a_negative_baseline_says_why_and_is_mended_by_one_click() {
     mended.fill(fields::BASELINE, note.fixes[0].entry.clone());
     assert_eq!(mended.assess().solution.problem.get(Field::Baseline), Some(1.695));
 }
+
+/// As it stands in papers and logs.
+#[test]
+fn a_sigma_behind_the_value_counts_and_moves_into_its_field() {
+    for (field, text, value, sigma) in [
+        (Field::Disparity, "50 ± 0.5", 50.0, 0.5),
+        (Field::Disparity, "50±0.5 px", 50.0, 0.5),
+        (Field::Disparity, "50 +/- 1 %", 50.0, 0.5),
+        (Field::Baseline, "1.2 m ± 2 cm", 1.2, 0.02),
+        (Field::Baseline, "120 ± 2 cm", 1.2, 0.02),
+        (Field::Baseline, "(1.200 ± 0.016) m", 1.2, 0.016),
+        (Field::Baseline, "120 ± 2", 0.12, 0.002),
+    ] {
+        let mut inputs = with(field, text);
+        for is_tidied in [false, true] {
+            if is_tidied {
+                inputs.tidy(field);
+                assert!(inputs.with_uncertainty && !inputs.entry(field).text.contains('±'), "{text}");
+            }
+            let problem = inputs.assess().solution.problem;
+            assert!((problem.get(field).unwrap() / value - 1.0).abs() < 1e-12, "{text}");
+            assert!((problem.sigma(field) / sigma - 1.0).abs() < 1e-12, "{text}");
+        }
+    }
+    let typing = with(Field::Disparity, "50 ±").assess();
+    assert_eq!((typing.solution.problem.get(Field::Disparity), typing.notes.len()), (Some(50.0), 0));
+    let mut twice = with(Field::Disparity, "50 ± 0.5");
+    twice.with_uncertainty = true;
+    twice.set_sigma(Field::Disparity, "1");
+    twice.tidy(Field::Disparity);
+    let note = twice.assess().sigma_note(Field::Disparity).cloned().unwrap();
+    assert_eq!(
+        (note.severity, note.message().as_str()),
+        (Severity::Error, "There are two uncertainties, “1” and “0.5”. Delete one of them.")
+    );
+    let mut exact = Inputs::default();
+    exact.entry_mut(fields::CX).text = "640 ± 1".into();
+    assert!(exact.assess().note(fields::CX).unwrap().message().contains("is taken to be exact"));
+}

@@ -78,7 +78,7 @@ proptest! {
         for &key in TABLE {
             let entry = Entry { sigma: sigma.clone(), ..Entry::new(text.clone(), None) };
             if let Ok(Some(reading)) = reading::read_with_sigma(key, &entry) {
-                prop_assert_eq!(reading.sigma.is_none(), reading::sigma_text(&entry).is_empty(), "{:?} {:?}", key, entry);
+                prop_assert_eq!(reading.sigma.is_none(), entry.sigma_text().is_empty(), "{:?} {:?}", key, entry);
                 prop_assert!(reading.value.is_finite());
             }
         }

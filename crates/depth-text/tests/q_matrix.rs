@@ -1,6 +1,7 @@
 //! Q matrices as people paste them.
 #![allow(clippy::unwrap_used, missing_docs, reason = "tests")]
 
+use depth_text::note::Issue;
 use depth_text::q_matrix::{read, written};
 
 /// OpenCV 4.14, stereoRectify with T = (−100, 0, 0), cx 610 and 650: Q[2][3] = 700, Q[3][2] = 0.01, Q[3][3] = 0.4.
@@ -55,6 +56,22 @@ fn every_way_to_write_it_is_read() {
     is_the_reference(
         "Q =\n\n   1.0e+03 *\n\n   0.001000000000000                   0                   0  -0.610000000000000\n                   0   0.001000000000000                   0  -0.350000000000000\n                   0                   0                   0   0.700000000000000\n                   0                   0   0.000010000000000   0.000400000000000\n",
     );
+}
+
+/// A narrow window of MATLAB's or Octave's, in which the matrix is printed in parts.
+#[test]
+fn a_matrix_in_parts_is_put_together() {
+    is_the_reference(
+        "Q =\n\n  Columns 1 through 3\n\n     1     0     0\n     0     1     0\n     0     0     0\n     0     0     0.01\n\n  Column 4\n\n  -610\n  -350\n   700\n   0.4\n",
+    );
+    is_the_reference(
+        "Q =\n\n Columns 1 and 2:\n\n   1   0\n   0   1\n   0   0\n   0   0\n\n Columns 3 and 4:\n\n   0  -610\n   0  -350\n   0   700\n   0.01   0.4\n\n",
+    );
+    is_the_reference(
+        "Q =\n\n   1.0e+03 *\n\n  Columns 1 through 2\n\n   0.001000000000000                   0\n                   0   0.001000000000000\n                   0                   0\n                   0                   0\n\n  Columns 3 through 4\n\n                   0  -0.610000000000000\n                   0  -0.350000000000000\n                   0   0.700000000000000\n   0.000010000000000   0.000400000000000\n",
+    );
+    let half = read("Q =\n\n  Columns 1 through 3\n\n 1 0 0\n 0 1 0\n 0 0 0\n 0 0 0.01\n");
+    assert_eq!(half, Err(Issue::QMatrixCount { found: 12 }));
 }
 
 const NUMBERS: &str = "1, 0, 0, -610, 0, 1, 0, -350, 0, 0, 0, 700, 0, 0, 0.01, 0.4";
@@ -118,7 +135,10 @@ fn it_is_refused_for_the_true_reason() {
 fn what_is_written_is_read() {
     let q = read("1 0 0 -610 0 1 0 -350 0 0 0 700 0 0 0.01 0.4").unwrap();
     let text = written(&q).unwrap();
-    assert_eq!(text, "[[1, 0, 0, -610],\n [0, 1, 0, -350],\n [0, 0, 0, 700],\n [0, 0, 0.01, 0.4]]");
+    assert_eq!(
+        text,
+        "%YAML:1.0\n---\nQ: !!opencv-matrix\n   rows: 4\n   cols: 4\n   dt: d\n   data: [ 1., 0., 0., -610.,\n       0., 1., 0., -350.,\n       0., 0., 0., 700.,\n       0., 0., 0.01, 0.4 ]\n"
+    );
     assert_eq!(read(&text), Ok(q));
 }
 

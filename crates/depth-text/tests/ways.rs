@@ -68,14 +68,36 @@ fn units_that_were_typed_are_converted_or_refused() {
         ("Lens and pixel size", &["4", "3"], &["4 mm", "3 µm"]),
         ("Lens and sensor width", &["2.54", "4.8", "1280"], &["0.1 in", "0.48 cm", "1280 px"]),
         ("Horizontal field of view", &["57.29577951308232", "640"], &["1 rad", "640px"]),
+        ("Vertical field of view", &["60", "720"], &["1.0471975511965976 rad", "720 px"]),
+        ("Diagonal field of view", &["90", "800", "600"], &["90°", "800 px", "600px"]),
         ("One reference photo", &["150", "1.4", "0.3"], &["150 px", "140 cm", "300mm"]),
+        (
+            "Same camera, other resolution",
+            &["700", "1280", "640"],
+            &["700 px", "1280 px", "640px"],
+        ),
+        ("Multiple of the image width", &["0.9", "1280"], &["0.9", "1280 px"]),
+        ("Multiple of half the image width", &["0.9", "1280"], &["0.9", "1280 px"]),
     ] {
         let (bare, with_units) = (compute(FOCAL_LENGTHS, name, bare), compute(FOCAL_LENGTHS, name, with_units));
         let (bare, with_units) = (bare.unwrap().unwrap(), with_units.unwrap().unwrap());
         assert!((bare / with_units - 1.0).abs() < 1e-15, "{name}: {bare} and {with_units}");
     }
+    // 3.67 mm on 4.8 mm with 1280 px; something 28 cm wide on 200 px at 1.4 m.
+    for (name, texts, expected) in [
+        ("Lens and sensor width", &["3.67 mm", "4.8 mm", "1280 px"][..], 978.667),
+        ("One reference photo", &["200", "1.4 m", "28 cm"], 1000.0),
+        ("Horizontal field of view", &["60°", "1280 px"], 1108.513),
+        ("Horizontal field of view", &["1.047 rad", "320 px"], 277.191),
+    ] {
+        let found = compute(FOCAL_LENGTHS, name, texts).unwrap().unwrap();
+        assert!((found / expected - 1.0).abs() < 1e-5, "{name}: {found}");
+    }
     for (name, texts) in [
-        ("Lens and pixel size", &["4 px", "3"][..]),
+        ("Multiple of the image width", &["0.9 px", "1280"][..]),
+        ("Same camera, other resolution", &["700 mm", "1280", "640"]),
+        ("Same camera, other resolution", &["700", "1280 cm", "640"]),
+        ("Lens and pixel size", &["4 px", "3"]),
         ("Lens and pixel size", &["4", "3 px"]),
         ("Horizontal field of view", &["73 px", "640"]),
         ("Horizontal field of view", &["73", "640°"]),
@@ -123,6 +145,15 @@ fn a_focal_length_may_be_a_multiple_of_the_width_or_of_half_of_it() {
     inputs.entry_mut(fields::FOCAL_LENGTH).text = "0.97428".into();
     let said = inputs.assess().note(fields::FOCAL_LENGTH).unwrap().message();
     assert!(said.contains("54.3°") && said.contains("91.5°"), "{said}");
+    // However small: such a view is wide, and no number of pixels is like that.
+    for tiny in ["0.05", "9.99", "0.001"] {
+        inputs.entry_mut(fields::FOCAL_LENGTH).text = tiny.into();
+        let note = inputs.assess().note(fields::FOCAL_LENGTH).cloned().unwrap();
+        assert!(
+            matches!(note.issue, Issue::MultipleOfWidth { .. }) && note.fixes.len() == 2,
+            "{tiny}: {note:?}"
+        );
+    }
     inputs.entry_mut(fields::FOCAL_LENGTH).text = "22154".into();
     assert_eq!(inputs.assess().notes, [], "a telephoto lens of a system camera");
 }

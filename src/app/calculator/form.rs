@@ -75,7 +75,10 @@ fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, key: Key, marked: bool) {
         submits: true,
         entry: inputs.entry_mut(key),
     };
+    let sigma_before = field.entry.sigma.clone();
     field.ui(ui, cx.commands);
+    // One that was typed behind the value is shown in its own field.
+    inputs.with_uncertainty |= inputs.sigma(key) != sigma_before;
     if key == fields::DISPARITY && inputs.with_uncertainty {
         typical_errors_ui(ui, &mut inputs.entry_mut(key).sigma, cx.commands);
     }

@@ -71,7 +71,10 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
         submits: true,
         entry: inputs.entry_mut(fields::DISTANCE),
     };
+    let sigma_before = field.entry.sigma.clone();
     field.ui(ui, cx.commands);
+    // As in the other fields of the form.
+    inputs.with_uncertainty |= inputs.sigma(fields::DISTANCE) != sigma_before;
     ui.add_space(2.0 * theme::STEP);
 }
 

@@ -37,8 +37,8 @@ pub enum Hint {
     View { view: Angle },
     /// That a baseline may be in squares.
     SquaresOfBoard,
-    /// What the button for a Q matrix copies.
-    QMatrixCopy,
+    /// What the button for a Q matrix copies, or what is missing for it.
+    QMatrixCopy { missing: Vec<Key> },
     /// That the tilt counts.
     TiltIsUsed { without: Length, unit: LengthUnit },
     /// How far the distance changes with one pixel of disparity.
@@ -116,7 +116,10 @@ impl Display for Hint {
             Self::Solved => f.write_str("Computed from the distance and the other quantities."),
             Self::QMatrixForms => f.write_str("As numpy or MATLAB prints it, as OpenCV’s YAML, XML or JSON has it, or as sixteen numbers."),
             Self::SquaresOfBoard => f.write_str("Or in squares of the calibration board, if the calibration was not told their size:"),
-            Self::QMatrixCopy => f.write_str("The matrix of the numbers in the form, with the baseline in meters:"),
+            Self::QMatrixCopy { missing } if missing.is_empty() => {
+                f.write_str("The matrix of the numbers in the form as OpenCV’s YAML, with the baseline in meters:")
+            }
+            Self::QMatrixCopy { missing } => write!(f, "To copy a Q matrix out of the form: it {}.", needs(missing)),
             Self::NoBars => f.write_str("The distances of both methods side by side, as soon as one of them is known."),
             Self::ObjectAhead => f.write_str("The object is drawn straight ahead of the camera, facing it."),
             Self::DepthOrRange => f.write_str("The distance of this program is the depth Z along the optical axis. A tape held at the lens measures the range R, which is longer away from the middle of the image."),
@@ -195,7 +198,7 @@ mod tests {
             Hint::StillNeeds { .. } => Hint::StillNeeds { method: Method::Stereo, missing: vec![fields::BASELINE, fields::DISPARITY] },
             Hint::View { .. } => Hint::View { view: Angle::from_degrees(54.317) },
             Hint::SquaresOfBoard => Hint::SquaresOfBoard,
-            Hint::QMatrixCopy => Hint::QMatrixCopy,
+            Hint::QMatrixCopy { .. } => Hint::QMatrixCopy { missing: Vec::new() },
             Hint::TiltIsUsed { .. } => Hint::TiltIsUsed { without: Length::from_m(4.275), unit: LengthUnit::Meter },
             Hint::OnePixel { .. } => Hint::OnePixel { range: "1.373 … 1.429 m".into() },
             Hint::NoBars => Hint::NoBars,
@@ -211,6 +214,9 @@ mod tests {
             Hint::Simulated { .. } => Hint::Simulated { draws: 100_000 },
         ];
         hints.push(Hint::MethodNeeds { method: Method::Monocular });
+        hints.push(Hint::QMatrixCopy {
+            missing: vec![fields::CX, fields::CY],
+        });
         for key in [fields::BASELINE, fields::DOFFS, fields::CAMERA_PITCH, fields::PIXEL_PITCH] {
             hints.push(Hint::Field { key });
         }

@@ -9,7 +9,6 @@ use crate::geometry::Geometry;
 use crate::names::Named as _;
 use crate::note::{Part, Severity};
 use crate::number::{exact, significant};
-use crate::reading;
 use crate::report::{
     self, DIGITS, ESTIMATED_WIDTH_PX, ONE_PIXEL, WITHOUT_TILT, agreement, certainty, estimated_width_name, formula, formula_with_numbers,
     length, one_pixel_range, point_origin, unknown,
@@ -75,7 +74,7 @@ fn input(inputs: &Inputs, assessment: &Assessment, key: Key) -> String {
         _ if key == DISTANCE => format!("{} {}", entry.text.trim(), entry.chosen_unit(key).map_or("", Unit::symbol)),
         _ => format!("{} (not usable)", quoted(&entry.text)),
     };
-    let sigma = reading::sigma_text(entry);
+    let sigma = entry.sigma_text();
     if inputs.counts_sigma(key) && !sigma.is_empty() {
         value.push_str(&format!(" ± {sigma}"));
         if error(Part::Sigma) {

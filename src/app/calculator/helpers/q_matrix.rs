@@ -47,16 +47,19 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, read: Option<&Result<StereoGeome
         Some(Err(issue)) => {
             text::note_ui(ui, Severity::Error, &issue.to_string(), field.id);
         }
-        None => copy_ui(ui, cx),
+        None => {}
     }
+    copy_ui(ui, cx);
 }
 
-/// While nothing is typed: the matrix of what is in the form.
+/// The matrix of what is in the form, or what is missing for it.
 fn copy_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    let missing = depth_text::q_matrix::missing_for_form(&cx.session.inputs);
+    ui.add_space(theme::STEP);
+    text::caption_ui(ui, Hint::QMatrixCopy { missing }.to_string());
     if depth_text::q_matrix::of_form(cx.session.assessment()).is_none() {
         return;
     }
-    ui.label(Hint::QMatrixCopy.to_string());
     let copy = Command::Copy(Copyable::QMatrix);
     let height = ui.spacing().interact_size.y;
     let button = ui.add(Button::new(copy.text()).min_size(vec2(0.0, height)));
