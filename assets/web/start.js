@@ -122,11 +122,27 @@ async function start() {
   }
 }
 
+/** In it the tab remembers that it was started again. */
+const RESTARTED = 'depth-calculator/restarted';
+
+/**
+ * Starts again, once in a tab, a program that has hardly begun: a compiler of WebKitGTK 2.50 makes one start in 200 of it read beside
+ * its memory, and nobody has entered anything yet that is not stored. Returns whether it does.
+ */
+function startsAgain() {
+  if (ranLong() || ifAllowed(() => sessionStorage.getItem(RESTARTED) !== null) !== false) return false;
+  return ifAllowed(() => {
+    sessionStorage.setItem(RESTARTED, '');
+    location.reload();
+    return true;
+  });
+}
+
 /** Traps that no panic announces: memory or stack exhausted. A panic has already been shown by the program. */
 function onUncaught(error) {
-  if (typeof WebAssembly === 'object' && (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)) {
-    show(new Failure('The program has stopped because of an error in it.', 'Reload the page to go on.', `${error}\n${error.stack}`, true));
-  }
+  if (typeof WebAssembly !== 'object' || !(error instanceof WebAssembly.RuntimeError || error instanceof RangeError)) return;
+  if (!element('fatal').hidden || startsAgain()) return;
+  show(new Failure('The program has stopped because of an error in it.', 'Reload the page to go on.', `${error}\n${error.stack}`, true));
 }
 
 /** Takes the text that a storage has under this key. */

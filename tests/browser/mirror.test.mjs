@@ -1,5 +1,6 @@
 // The mirror in a real browser: what assistive technology is told of it, and that nothing stale is in it after a long random walk.
 // What it has to say of each screen is tested without a browser, in tests/mirror.rs.
+// Longer than a file should be, as everything in it walks through the same pages with the same helpers.
 
 import assert from 'node:assert/strict';
 import { after, before, it, unless } from './harness.mjs';

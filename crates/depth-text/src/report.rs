@@ -75,68 +75,67 @@ pub struct Row {
 
 /// The rows of the table: the inputs that everybody has as they were typed, then what follows, its lengths in `unit`.
 pub fn parameter_rows(assessment: &Assessment, unit: LengthUnit) -> Vec<Row> {
-    let solution = &assessment.solution;
-    let inputs = Key::form().filter(|key| !key.is_optional).filter_map(|key| {
-        let value = solution.problem.get(key.input?);
-        let typed = assessment
-            .reading(key)
-            .filter(|_| value.is_some() && !assessment.is_solved_for(key));
-        let unit = typed.map_or_else(|| key.kind.default_unit(), |reading| reading.unit);
-        Some(Row {
-            parameter: key.spec().name.to_owned(),
-            value: match typed {
-                Some(reading) => reading.number_text.clone(),
-                None => STYLE.number(value.map(|value| unit.map_or(value, |unit| unit.from_base(value)))),
-            },
-            unit: match unit {
-                Some(square @ Unit::Square(_)) => square.to_string(),
-                unit => unit.map_or("", Named::name).to_owned(),
-            },
-            description: key.spec().description,
-        })
-    });
-    let output = |parameter: String, value, unit: Unit, description| Row {
-        parameter,
+    let inputs = Key::form().filter(|key| !key.is_optional);
+    let inputs = inputs.filter_map(|key| input_row(assessment, key));
+    inputs.chain(output_rows(&assessment.solution, unit)).collect()
+}
+
+/// The input `key` as it was typed; `None` where it is no input of a distance.
+fn input_row(assessment: &Assessment, key: Key) -> Option<Row> {
+    let value = assessment.solution.problem.get(key.input?);
+    let typed = assessment
+        .reading(key)
+        .filter(|_| value.is_some() && !assessment.is_solved_for(key));
+    let unit = typed.map_or_else(|| key.kind.default_unit(), |reading| reading.unit);
+    Some(Row {
+        parameter: key.spec().name.to_owned(),
+        value: match typed {
+            Some(reading) => reading.number_text.clone(),
+            None => STYLE.number(value.map(|value| unit.map_or(value, |unit| unit.from_base(value)))),
+        },
+        unit: match unit {
+            Some(square @ Unit::Square(_)) => square.to_string(),
+            unit => unit.map_or("", Named::name).to_owned(),
+        },
+        description: key.spec().description,
+    })
+}
+
+/// What follows from the inputs, its lengths in `unit`; the combined distance where there is one.
+fn output_rows(solution: &Solution, unit: LengthUnit) -> impl Iterator<Item = Row> {
+    let row = |parameter: &str, value, unit: Unit, description| Row {
+        parameter: parameter.to_owned(),
         value: STYLE.number(value),
         unit: unit.name().to_owned(),
         description,
     };
-    let in_unit = |length: Length| length.in_unit(unit);
+    let length = |name: &str, length: Option<Length>, description| {
+        row(name, length.map(|length| length.in_unit(unit)), Unit::Length(unit), description)
+    };
     let combined = solution.combined.map(|combined| {
-        output(
-            COMBINED_DISTANCE.to_owned(),
-            Some(in_unit(combined.value)),
-            Unit::Length(unit),
-            "Distance from both, weighted by how well each is known",
-        )
+        let description = "Distance from both, weighted by how well each is known";
+        length(COMBINED_DISTANCE, Some(combined.value), description)
     });
-    let outputs = [
-        output(
-            ESTIMATED_WIDTH_PX.to_owned(),
+    let rows = [
+        row(
+            ESTIMATED_WIDTH_PX,
             solution.estimated_width_px.map(|width| width.px()),
             Unit::Pixel,
             "Width in the image that the real width and the distance predict",
         ),
-        output(
-            estimated_width_name(unit),
-            solution.estimated_width.map(in_unit),
-            Unit::Length(unit),
+        length(
+            &estimated_width_name(unit),
+            solution.estimated_width,
             "Real width that the width in the image and the distance predict",
         ),
-        output(
-            distance_name(Method::Stereo).to_owned(),
-            solution.stereo.distance().map(in_unit),
-            Unit::Length(unit),
-            "Distance from disparity",
-        ),
-        output(
-            distance_name(Method::Monocular).to_owned(),
-            solution.monocular.distance().map(in_unit),
-            Unit::Length(unit),
+        length(distance_name(Method::Stereo), solution.stereo.distance(), "Distance from disparity"),
+        length(
+            distance_name(Method::Monocular),
+            solution.monocular.distance(),
             "Distance from the object’s known width",
         ),
     ];
-    inputs.chain(outputs).chain(combined).collect()
+    rows.into_iter().chain(combined)
 }
 
 /// Name of the distance of `method` in a table.

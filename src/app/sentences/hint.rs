@@ -68,7 +68,6 @@ pub enum Hint {
 }
 
 impl Display for Hint {
-    #[expect(clippy::too_many_lines, reason = "an arm is a sentence, and the compiler asks for each")]
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Self::Example { key } => write!(f, "e.g. {}", key.example()),

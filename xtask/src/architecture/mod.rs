@@ -3,6 +3,7 @@
 mod circles;
 mod crates;
 mod imports;
+mod lengths;
 mod literals;
 mod modules;
 mod source;
@@ -22,6 +23,7 @@ pub(crate) fn check() -> Result<(), String> {
     let mut broken = crates::upward(&metadata);
     broken.extend(trees::unplanned()?);
     broken.extend(literals::broken(&root)?);
+    broken.extend(lengths::broken(&root)?);
     for target in targets(&metadata) {
         broken.extend(imports::circles(&target, &root)?);
     }

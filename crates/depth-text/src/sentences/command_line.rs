@@ -53,7 +53,7 @@ impl Display for CommandLine {
                     .iter()
                     .map(|(options, method)| format!("{} for the {} distance", enumerated(options), method.to_lowercase()))
                     .collect();
-                write!(f, "No distance can be computed. Add {} (see --help).", ways.join(", or "))
+                incomplete(f, "No distance can be computed.", &ways.join(", or "))
             }
             Self::NoCommand => f.write_str(
                 "Without a window a command is needed, such as: depth-calculator calculate --fx 700 --baseline 100mm --disparity 50",
@@ -63,11 +63,7 @@ impl Display for CommandLine {
             Self::UnusedTilt => f.write_str("Not used: it belongs to the monocular distance, which needs --w-img and --w-real."),
             Self::UnusedPoint { options } if options.is_empty() => f.write_str("Not used: there is no distance to put the point at."),
             Self::UnusedPoint { options } => write!(f, "Not used without {}.", enumerated(options)),
-            Self::NoPoint { options } => write!(
-                f,
-                "No depth can be computed from the range. Add {} (see --help).",
-                enumerated(options)
-            ),
+            Self::NoPoint { options } => incomplete(f, "No depth can be computed from the range.", &enumerated(options)),
             Self::UnusedDistance => f.write_str("Not used without --solve-for, which says what to solve for instead."),
             Self::UnusedUnknown => f.write_str("Not used: it is what --solve-for solves for."),
             Self::UnusedWithAngle => f.write_str("Not used with --angle, which takes the place of a row."),
@@ -76,11 +72,16 @@ impl Display for CommandLine {
             Self::WhichEquation => {
                 f.write_str("Both methods have an fx: to solve for it leave out either --baseline and --disparity or --w-img and --w-real.")
             }
-            Self::NoGround { options } => write!(f, "No distance can be computed. Add {} (see --help).", enumerated(options)),
+            Self::NoGround { options } => incomplete(f, "No distance can be computed.", &enumerated(options)),
             Self::UnreadableFile { file, reason } => write!(f, "{file} cannot be read: {reason}."),
             Self::UnusedSigma { option } => write!(f, "Not used without --{option}."),
         }
     }
+}
+
+/// What is to be added, where something is missing.
+fn incomplete(f: &mut Formatter<'_>, what: &str, options: &str) -> fmt::Result {
+    write!(f, "{what} Add {options} (see --help).")
 }
 
 /// "--a", "--a and --b", "--a, --b and --c"

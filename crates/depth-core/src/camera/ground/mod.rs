@@ -1,11 +1,13 @@
 //! A camera above a level floor: where the ray of a pixel meets it, or the level plane that a target stands out to.
 
+mod ray;
+
 use crate::angle::Angle;
-use crate::arithmetic::root_sum_of_squares;
 use crate::field::Field;
 use crate::judge::{self, Refusal, Term, Unsolvable};
 use crate::measured::Measured;
 use crate::quantity::{Length, Pixels};
+use ray::{Partials, Ray, Sigmas, along_floor};
 use std::f64::consts::FRAC_PI_2;
 
 /// How far below the optical axis a point is seen.
@@ -65,122 +67,6 @@ pub struct GroundSolution {
     pub horizon_row: Option<Pixels>,
     /// The term behind most of the σ of the distance; `None` where it has none.
     pub main_cause: Option<Term>,
-}
-
-/// A result with its derivatives.
-struct Partials {
-    value: f64,
-    per_meter_of_height: f64,
-    per_radian_of_pitch: f64,
-    /// With respect to the slope y.
-    per_slope: f64,
-    /// With respect to the slope x.
-    per_slope_right: f64,
-}
-
-/// The ray of a point that meets its plane.
-struct Ray {
-    /// (u − cx)/fx
-    x: f64,
-    /// (v − cy)/fy
-    y: f64,
-    /// Height of the camera above the plane, m; negative below it.
-    h: f64,
-    /// cos θ
-    cos: f64,
-    /// How far the ray (x, y, 1) goes down: sin θ + y·cos θ.
-    down: f64,
-    /// How far it goes ahead: cos θ − y·sin θ.
-    forward: f64,
-    /// At which multiple of (x, y, 1) it meets the plane, m.
-    s: f64,
-    sigmas: Sigmas,
-}
-
-/// The σ of what a ray depends on.
-struct Sigmas {
-    height: f64,
-    pitch: f64,
-    slope: f64,
-    /// What the focal length does to both slopes, together.
-    focal_slope: f64,
-    focal_slope_right: f64,
-}
-
-impl Ray {
-    fn ahead(&self) -> Partials {
-        let Self {
-            y, h, down, forward, s, ..
-        } = *self;
-        Partials {
-            value: s * forward,
-            per_meter_of_height: s * forward / h,
-            per_radian_of_pitch: -(s / down) * (1.0 + y * y),
-            per_slope: -s / down,
-            per_slope_right: 0.0,
-        }
-    }
-
-    fn right(&self) -> Partials {
-        let Self {
-            x,
-            h,
-            cos,
-            down,
-            forward,
-            s,
-            ..
-        } = *self;
-        Partials {
-            value: s * x,
-            per_meter_of_height: s * x / h,
-            per_radian_of_pitch: -(s / down) * x * forward,
-            per_slope: -(s / down) * x * cos,
-            per_slope_right: s,
-        }
-    }
-
-    fn slant(&self) -> Partials {
-        let Self {
-            x,
-            y,
-            h,
-            cos,
-            down,
-            forward,
-            s,
-            ..
-        } = *self;
-        let length = root_sum_of_squares(&[1.0, x, y]);
-        Partials {
-            value: s * length,
-            per_meter_of_height: s * length / h,
-            per_radian_of_pitch: -(s / down) * length * forward,
-            per_slope: -(s / down) * length * cos + s * y / length,
-            per_slope_right: s * x / length,
-        }
-    }
-
-    /// What each term adds to the σ of a result: height, pitch, slope and focal length.
-    fn shares(&self, of: &Partials) -> [f64; 4] {
-        let sigmas = &self.sigmas;
-        [
-            of.per_meter_of_height * sigmas.height,
-            of.per_radian_of_pitch * sigmas.pitch,
-            of.per_slope * sigmas.slope,
-            of.per_slope * sigmas.focal_slope + of.per_slope_right * sigmas.focal_slope_right,
-        ]
-    }
-
-    /// A result with its σ.
-    fn measured(&self, of: &Partials) -> Result<Measured<Length>, Unsolvable> {
-        let sigma = root_sum_of_squares(&self.shares(of));
-        if of.value.is_finite() && sigma.is_finite() {
-            Ok(Measured::from_base(of.value, sigma))
-        } else {
-            Err(Unsolvable::too_extreme(Term::Distance))
-        }
-    }
 }
 
 impl GroundView {
@@ -372,25 +258,6 @@ impl GroundView {
         let cx = judge::value(Term::PrincipalPoint, judge::finite(cx.px()))?;
         let fx = judge::positive_measured(Term::Input(Field::FocalLength), fx)?.value.px();
         judge::value(Term::Column, judge::finite((column - cx) / fx))
-    }
-}
-
-/// √(ahead² + right²) with its derivatives. At the point below the camera, where it has none, the length of those of both.
-fn along_floor(ahead: &Partials, right: &Partials) -> Partials {
-    let value = root_sum_of_squares(&[ahead.value, right.value]);
-    let derivative = |of_ahead: f64, of_right: f64| {
-        if value == 0.0 {
-            root_sum_of_squares(&[of_ahead, of_right])
-        } else {
-            ahead.value / value * of_ahead + right.value / value * of_right
-        }
-    };
-    Partials {
-        value,
-        per_meter_of_height: derivative(ahead.per_meter_of_height, right.per_meter_of_height),
-        per_radian_of_pitch: derivative(ahead.per_radian_of_pitch, right.per_radian_of_pitch),
-        per_slope: derivative(ahead.per_slope, right.per_slope),
-        per_slope_right: derivative(ahead.per_slope_right, right.per_slope_right),
     }
 }
 
