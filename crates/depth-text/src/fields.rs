@@ -150,6 +150,7 @@ table! {
             "Column of the principal point, about half the width of the image",
             "",
         ),
+        hint: "About half of the width of the image, where nobody has calibrated.",
         ..POINT
     };
     /// Row of the principal point.
@@ -160,6 +161,7 @@ table! {
             "Row of the principal point, about half the height of the image",
             "",
         ),
+        hint: "About half of the height of the image, where nobody has calibrated.",
         ..POINT
     };
     /// Column of the pixel whose range is wanted.
@@ -170,6 +172,7 @@ table! {
             "Column of the pixel, counted from the left",
             "",
         ),
+        hint: "Counted from the left edge of the image.",
         ..POINT
     };
     /// Row of the pixel whose range is wanted.
@@ -180,6 +183,7 @@ table! {
             "Row of the pixel, counted from the top",
             "",
         ),
+        hint: "Counted from the top edge of the image.",
         ..POINT
     };
     /// The range that a tape measures, where the depth is wanted.
@@ -251,6 +255,7 @@ table! {
             "Row at which the point is seen",
             "1 σ of the row, such as 1",
         ),
+        hint: "Counted from the top edge; where the point touches the floor.",
         ..GROUND
     };
     /// Column at which the point on the floor is seen.

@@ -69,6 +69,8 @@ pub struct Row {
     pub value: String,
     /// "pixels" or "meters".
     pub unit: String,
+    /// "px" or "m", where there is no room for that.
+    pub symbol: String,
     /// What it means.
     pub description: &'static str,
 }
@@ -97,6 +99,7 @@ fn input_row(assessment: &Assessment, key: Key) -> Option<Row> {
             Some(square @ Unit::Square(_)) => square.to_string(),
             unit => unit.map_or("", Named::name).to_owned(),
         },
+        symbol: unit.map_or_else(String::new, |unit| unit.to_string()),
         description: key.spec().description,
     })
 }
@@ -107,6 +110,7 @@ fn output_rows(solution: &Solution, unit: LengthUnit) -> impl Iterator<Item = Ro
         parameter: parameter.to_owned(),
         value: STYLE.number(value),
         unit: unit.name().to_owned(),
+        symbol: unit.symbol().to_owned(),
         description,
     };
     let length = |name: &str, length: Option<Length>, description| {

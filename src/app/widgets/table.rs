@@ -33,16 +33,15 @@ pub fn row_ui(ui: &mut Ui, cells: Vec<Cell>, shares: &[f32]) {
     let mut x = 0.0;
     let mut placed = Vec::new();
     let mut height = 0.0_f32;
-    for (mut cell, share) in cells.into_iter().zip(shares) {
+    let last = cells.len().saturating_sub(1);
+    for (index, (mut cell, share)) in cells.into_iter().zip(shares).enumerate() {
         let width = full * share / total;
-        cell.text.wrap.max_width = (width - theme::COLUMN_GAP).max(1.0);
+        // Behind the last column is the edge of the card.
+        let gap = if index == last { 0.0 } else { theme::COLUMN_GAP };
+        cell.text.wrap.max_width = (width - gap).max(1.0);
         let galley = ui.painter().layout_job(cell.text);
         height = height.max(galley.size().y);
-        let left = if cell.align_right {
-            x + width - theme::COLUMN_GAP - galley.size().x
-        } else {
-            x
-        };
+        let left = if cell.align_right { x + width - gap - galley.size().x } else { x };
         placed.push((cell.role, left, galley));
         x += width;
     }

@@ -54,6 +54,9 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, read: Option<&Result<StereoGeome
 
 /// The matrix of what is in the form, or what is missing for it.
 fn copy_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    if cx.session.inputs.is_blank() {
+        return;
+    }
     let missing = depth_text::q_matrix::missing_for_form(&cx.session.inputs);
     ui.add_space(theme::STEP);
     text::caption_ui(ui, Hint::QMatrixCopy { missing }.to_string());
