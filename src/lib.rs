@@ -23,8 +23,8 @@
 //!
 //! `app::App` is drawn by `app/ui.rs`. A screen is a folder with a function `ui(&mut self, ui: &mut Ui, cx: &mut AppContext)`: it draws
 //! what `cx` holds and adds commands to it. Of the events that have happened since, it gets those up to the first that can move the
-//! focus; `app/batches.rs` keeps the others for the next frame. Before the next frame `app/logic.rs` carries the commands out, the one place where they take
-//! effect, then handles the events of the platform, and saves what changed.
+//! focus; `app/batches.rs` keeps the others for the next frame. Before the next frame `app/logic.rs` carries the commands out, the one
+//! place where they take effect, then handles the events of the platform, and saves what changed.
 //!
 //! # To change something
 //!
@@ -36,7 +36,7 @@
 //! | a field | a row of [`depth_text::fields`]: form, link, report, command line and stored state have it then |
 //! | a button, a menu entry, a key | `app/command.rs` for its text and its keys, `app/logic.rs` for what it does |
 //! | a dialog | `app/dialog.rs`, and a file like `app/about.rs` |
-//! | a picture | a file like `app/calculator/top_view.rs`: a pure model, a pure layout, painting; charts by `app/widgets/plot.rs` |
+//! | a picture | a folder like `app/calculator/top_view/`: a pure model, a pure layout, painting; charts by `app/widgets/plot.rs` |
 //! | a screen | `Screen` in `app/saved.rs`, a folder like `app/learn/`, and its line in `app/ui.rs` |
 //! | a color, a size, a font | `app/theme/` |
 //! | what the program needs from the machine | `app/platform.rs`, then both platforms and the tests' |

@@ -61,7 +61,7 @@ fn can_move_focus(event: &Event) -> bool {
     match event {
         Event::PointerButton { .. } => true,
         Event::Touch { phase, .. } => matches!(phase, TouchPhase::End | TouchPhase::Cancel),
-        Event::Key { key, pressed, .. } => *pressed && matches!(key, Key::Tab | Key::Escape | Key::Enter),
+        Event::Key { key, pressed, .. } => *pressed && matches!(key, Key::Tab | Key::Escape | Key::Enter | Key::Space),
         Event::AccessKitActionRequest(request) => matches!(request.action, Action::Focus | Action::Blur | Action::Click),
         _ => false,
     }

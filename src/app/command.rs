@@ -146,7 +146,26 @@ impl Command {
     /// Whether the inputs as they are before it are added to the history for undo. Not before commands that only show something, nor
     /// before a move of a drag, which is part of a longer edit.
     pub const fn is_edit(&self) -> bool {
-        !matches!(self, Self::DragDisparity(_) | Self::Copy(_) | Self::Show(_) | Self::Theme(_))
+        match self {
+            Self::Calculate
+            | Self::Reset
+            | Self::Undo
+            | Self::Redo
+            | Self::Open(..)
+            | Self::Follow(_)
+            | Self::Fix(..)
+            | Self::AskForWidth(..)
+            | Self::Settle => true,
+            Self::DragDisparity(_)
+            | Self::Copy(_)
+            | Self::Show(_)
+            | Self::ShowDialog(_)
+            | Self::Help(_)
+            | Self::ShowGeometry(_)
+            | Self::ShowResultsIn(_)
+            | Self::Dismiss
+            | Self::Theme(_) => false,
+        }
     }
 
     /// Whether the notice bar stays open. A link that names no field must not close it; one that does opens another.

@@ -39,6 +39,7 @@ pub use sentences::PageFailure;
 pub(crate) use sentences::snapshot;
 pub use sentences::{Place, PlatformError};
 use session::Session;
+use theme::Layout;
 pub use theme::SystemColors;
 use widgets::field;
 
@@ -100,7 +101,11 @@ impl App {
     /// Focuses the first field on an empty form; not on a phone, where that would open the keyboard.
     fn focus_first_field(&self, ctx: &egui::Context) {
         let touch = ctx.input(|input| input.any_touches());
-        if self.session.inputs.is_blank() && self.settings.screen == Screen::Calculator && !touch && ctx.content_rect().width() > 720.0 {
+        if self.session.inputs.is_blank()
+            && self.settings.screen == Screen::Calculator
+            && !touch
+            && Layout::of_width(ctx.content_rect().width()) != Layout::Phone
+        {
             ctx.memory_mut(|memory| memory.request_focus(field::id(Field::FocalLength)));
         }
     }

@@ -11,7 +11,6 @@ use depth_text::export::{Exporter as _, Results};
 use depth_text::field::{Key, Section};
 use depth_text::fields;
 use depth_text::form::Inputs;
-use depth_text::geometry::Geometry;
 use depth_text::names::Named as _;
 use depth_text::note::{Issue, Part, Severity};
 use depth_text::sentences::{CommandLine, Statement};
@@ -114,7 +113,7 @@ impl Calculate {
 
     /// The options that the point in space still needs, where one of it was given.
     fn missing_for_point(&self) -> Vec<String> {
-        let camera = std::iter::once(fields::FOCAL_LENGTH).chain(Geometry::POINT);
+        let camera = std::iter::once(fields::FOCAL_LENGTH).chain(Section::Point.keys());
         let needed = camera.filter(|&key| key != fields::FY && key != fields::TAPED_RANGE);
         let missing = needed.filter(|&key| !self.is_given(key, Part::Value));
         missing.map(|key| name(key, Part::Value)).collect()

@@ -151,8 +151,8 @@ fn of_point(origin: PointOrigin, point: &PointSolution) -> Point {
     Point {
         from: match origin {
             PointOrigin::Distance(Origin::Combined) => "combined",
-            PointOrigin::Distance(Origin::Method(Method::Stereo)) => "stereo",
-            PointOrigin::Distance(Origin::Method(Method::Monocular)) => "monocular",
+            PointOrigin::Distance(Origin::Method(Method::Stereo)) | PointOrigin::Given(Method::Stereo) => "stereo",
+            PointOrigin::Distance(Origin::Method(Method::Monocular)) | PointOrigin::Given(Method::Monocular) => "monocular",
             PointOrigin::Range => "range",
         },
         x_m: point.x.value.m(),

@@ -79,15 +79,15 @@ impl Q {
         )
     }
 
+    fn name(&self) -> String {
+        self.file.display().to_string()
+    }
+
     fn text(&self) -> Result<String, String> {
         let unreadable = |error: &dyn ToString| {
             let reason = error.to_string();
             let reason = reason.split(" (os error").next().unwrap_or_default().to_owned();
-            CommandLine::UnreadableFile {
-                file: self.file.display().to_string(),
-                reason,
-            }
-            .to_string()
+            CommandLine::UnreadableFile { file: self.name(), reason }.to_string()
         };
         let mut bytes = Vec::new();
         let read = if self.file == Path::new("-") {
@@ -97,8 +97,8 @@ impl Q {
         };
         let length = read.map_err(|error| unreadable(&error))?;
         if u64::try_from(length).is_ok_and(|length| length > LARGEST) {
-            return Err(unreadable(&"it is larger than 16 MB"));
+            return Err(CommandLine::FileTooLarge { file: self.name() }.to_string());
         }
-        String::from_utf8(bytes).map_err(|_| unreadable(&"it is not text"))
+        String::from_utf8(bytes).map_err(|_| CommandLine::FileNotText { file: self.name() }.to_string())
     }
 }

@@ -85,9 +85,7 @@ fn what_the_floor_lacks_is_named() {
 #[test]
 fn a_horizontal_ray_is_at_the_horizon_however_it_is_rounded() {
     for arguments in [
-        "--height 1.2 --pitch 180 --angle 0",
         "--height 1.2 --pitch 80 --angle -80",
-        "--height 1.2 --pitch 360 --angle 0",
         "--fx 700 --height 1.2 --pitch -45 --row 1060 --cy 360",
     ] {
         let reason = refused(&format!("ground {arguments}"));
@@ -156,6 +154,12 @@ fn the_sign_of_the_pitch_is_blamed_only_where_the_other_one_helps() {
     assert!(up.contains("--pitch: The camera looks down and the target is above it"), "{up}");
     let down = refused("ground --height 1.2 --pitch -25 --angle 0");
     assert!(down.contains("--pitch: Pitch is counted downwards here"), "{down}");
+    // Far beyond straight down there is no pitch, whatever its sine would be.
+    for pitch in ["200", "370", "3.49rad", "-130"] {
+        let said = refused(&format!("ground --height 1.2 --pitch {pitch} --angle 0"));
+        assert!(said.contains("--pitch: This is no pitch"), "{said}");
+    }
+    assert!(refused("ground --height 1.2 --pitch 10cm --angle 5").contains("“cm” does not fit the pitch"));
     let neither = refused("ground --height 1.2 --pitch -10 --angle 10");
     assert!(
         neither.contains("never meets the plane") && !neither.contains("Pitch is counted"),

@@ -136,7 +136,7 @@ fn pictures_explain_themselves_when_empty_and_carry_their_numbers_when_full() {
         assert!(program.says(said), "{said}");
     }
     program.mug();
-    assert!(program.says("Stereo distance 1.400 m, Monocular distance –.– m"));
+    assert!(program.says("Bar chart. Stereo distance 1.400 m."));
     assert!(program.says("At 50 px the distance is 1.400 m"));
     assert!(program.says("drawn midway between the cameras"));
 }
@@ -248,7 +248,11 @@ fn what_sums_up_the_results_is_the_combined_distance_or_says_that_they_disagree(
     type_sigma(&mut program, W_IMG, "2");
     let bar = "Combined\nCombined\n1.442 m";
     assert!(program.says(bar), "{}", program.text());
-    assert!(program.says("the object 1.442 m (combined) away"), "{}", program.text());
+    assert!(
+        program.says("the object 1.442 m away by both methods combined"),
+        "{}",
+        program.text()
+    );
     assert_eq!(program.cell("Intermediate values", "Object distance (D, combined)"), "1.442 m");
     assert_eq!(
         program.cell("Key input parameters and outputs", "Object distance (D, combined)"),
@@ -257,7 +261,7 @@ fn what_sums_up_the_results_is_the_combined_distance_or_says_that_they_disagree(
     program.type_into(W_REAL, "3.1");
     assert!(!program.says(bar));
     assert!(program.says("14.47 m\n14.47 m\nThey disagree"), "{}", program.text());
-    assert!(program.says("the object 1.400 m (stereo) away"), "{}", program.text());
+    assert!(program.says("the object 1.400 m away by stereo"), "{}", program.text());
 }
 
 /// An input is shown in the unit that it was typed in, also in a picture.

@@ -204,6 +204,10 @@ pub fn assert_complete(variants: &BTreeSet<String>, command_line: &str) {
             file: "/no/such/file".into(),
             reason: "No such file or directory".into(),
         },
+        CommandLine::FileTooLarge { file: "/dev/zero".into() },
+        CommandLine::FileNotText {
+            file: "assets/fonts/Inter-Regular.ttf".into(),
+        },
         CommandLine::UnusedSigma { option: "w-real".into() },
     ];
     assert_eq!(examples.each_ref().map(variant).as_slice(), CommandLine::NAMES);

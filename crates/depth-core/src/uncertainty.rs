@@ -229,6 +229,24 @@ impl Uncertainty {
         }
     }
 
+    /// The bias where it is worth a word: more than a hundredth of σ.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// // 1 %: σ is 14 mm, the bias 0.14 mm and a hundredth of σ too.
+    /// mug.set_sigma(Field::Disparity, 0.4);
+    /// assert_eq!(mug.solve().stereo_uncertainty.unwrap().notable_bias(), None);
+    /// mug.set_sigma(Field::Disparity, 2.0);
+    /// assert!(mug.solve().stereo_uncertainty.unwrap().notable_bias().is_some());
+    /// ```
+    pub fn notable_bias(&self) -> Option<Length> {
+        self.bias.filter(|bias| bias.m() > self.sigma.m() / 100.0)
+    }
+
     /// The input that causes the largest part of the variance.
     ///
     /// ```

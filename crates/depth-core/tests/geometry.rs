@@ -179,7 +179,7 @@ fn the_sigmas_of_a_point_are_those_of_the_numerical_derivatives() {
 fn a_depth_by_tape_leaves_the_focal_length_its_part_in_the_sides() {
     let view = PointView {
         fx: Measured::from_base(700.0, 14.0),
-        along: Along::KnownAxis(Measured::from_base(1.4, 0.05)),
+        along: Along::GivenDepth(Measured::from_base(1.4, 0.05)),
         ..point_view()
     };
     let point = view.solve().unwrap();

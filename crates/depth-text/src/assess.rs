@@ -1,10 +1,11 @@
 //! From what was typed to what it means: [`Inputs`] to [`Assessment`]. Each text is parsed once, here.
 
+use crate::entry::Entry;
 use crate::field::{Key, Section};
 use crate::fields;
 use crate::form::Inputs;
 use crate::geometry::Geometry;
-use crate::note::{Issue, Note, Part, Severity};
+use crate::note::{Fix, Issue, Note, Part, Severity};
 use crate::problem::{self, Offset};
 use crate::reading::{self, Reading};
 use crate::unit::Unit;
@@ -105,6 +106,24 @@ impl Assessment {
     }
 }
 
+/// Asks about a bare angle that looks like radians: below a right angle, with decimals that nobody measures in degrees. A tilt of a
+/// degree or two makes no difference at all.
+fn in_radians(reading: &Reading) -> Option<Note> {
+    let Reading { key, number, .. } = *reading;
+    let decimals = reading.number_text.split_once(['.', ',']).map_or(0, |(_, decimals)| decimals.len());
+    let is_small = number != 0.0 && number.abs() < std::f64::consts::FRAC_PI_2;
+    let is_bare_angle = reading.unit == Some(Unit::Degree) && !reading.unit_was_typed;
+    if !(is_bare_angle && is_small && decimals >= 3) {
+        return None;
+    }
+    let text = reading.number_text.clone();
+    let fixes = [" rad", "°"].map(|unit| {
+        let value = format!("{text}{unit}");
+        Fix::new(value.clone(), Entry::new(value, None))
+    });
+    Some(Note::warning(key, Issue::AngleInRadians { key, number: text }).with_fixes(fixes.into()))
+}
+
 /// Why `issue` says that an input is missing, where one of `notes` refused it.
 fn refused_instead(issue: Issue, notes: &[Note]) -> Issue {
     let Issue::MissingForUnknown { key: missing } = issue else {
@@ -147,13 +166,14 @@ impl Inputs {
         self.note_refusals(&solution, &readings, &mut notes);
         let given = unknown.as_ref().filter(|unknown| unknown.outcome.is_ok());
         let given = given.and_then(|unknown| Some((unknown.method, unknown.distance?)));
-        if let Some((method, _)) = given {
-            problem::forget_echo(&mut solution, method);
+        if let Some((method, distance)) = given {
+            problem::forget_echo(&mut solution, method, distance);
         }
         let is_usable = |reading: &&Reading| !notes.iter().any(|note| note.key == reading.key && note.severity == Severity::Error);
         let usable: Vec<&Reading> = readings.iter().filter(is_usable).collect();
         let (geometry, more) = Geometry::new(&usable, &solution, given);
         notes.extend(more);
+        notes.extend(readings.iter().filter_map(in_radians));
         notes.sort_by_key(|note| (note.key, note.part));
         notes.dedup_by_key(|note| (note.key, note.part));
         Assessment {

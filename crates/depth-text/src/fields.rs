@@ -150,7 +150,7 @@ table! {
             "Column of the principal point, about half the width of the image",
             "",
         ),
-        hint: "About half of the width of the image, where nobody has calibrated.",
+        hint: "Not calibrated: about half of the width.",
         ..POINT
     };
     /// Row of the principal point.
@@ -161,7 +161,7 @@ table! {
             "Row of the principal point, about half the height of the image",
             "",
         ),
-        hint: "About half of the height of the image, where nobody has calibrated.",
+        hint: "Not calibrated: about half of the height.",
         ..POINT
     };
     /// Column of the pixel whose range is wanted.
@@ -222,18 +222,6 @@ table! {
         ),
         ..GROUND
     };
-    /// Height of the target above the floor.
-    TARGET_HEIGHT = FieldSpec {
-        key: "target-height", name: "Height of the target", symbol: "h_target", noun: "the height of the target", examples: &["0"],
-        kind: Kind::Length(LengthUnit::Meter), signed: true,
-        hint: "0 is a point on the floor.",
-        option: option(
-            "target-height",
-            "Height of the point above the floor, if it does not lie on it; bare: in m",
-            "",
-        ),
-        ..GROUND
-    };
     /// How far the optical axis points down.
     CAMERA_PITCH = FieldSpec {
         key: "camera-pitch", name: "Pitch of the camera, downwards", symbol: "θ", noun: "the pitch of the camera",
@@ -255,7 +243,7 @@ table! {
             "Row at which the point is seen",
             "1 σ of the row, such as 1",
         ),
-        hint: "Counted from the top edge; where the point touches the floor.",
+        hint: "Where the point touches the floor, from the top edge.",
         ..GROUND
     };
     /// Column at which the point on the floor is seen.
@@ -266,6 +254,18 @@ table! {
         option: option(
             "u",
             "Column at which the point is seen, to get how far it is to the right",
+            "",
+        ),
+        ..GROUND
+    };
+    /// Height of the target above the floor.
+    TARGET_HEIGHT = FieldSpec {
+        key: "target-height", name: "Height of the target", symbol: "h_target", noun: "the height of the target", examples: &["0"],
+        kind: Kind::Length(LengthUnit::Meter), signed: true,
+        hint: "0 is a point on the floor.",
+        option: option(
+            "target-height",
+            "Height of the point above the floor, if it does not lie on it; bare: in m",
             "",
         ),
         ..GROUND
@@ -400,7 +400,10 @@ table! {
         key: "square-size", name: "Size of a square of the board", noun: "the size of a square", examples: &["25"], ..MILLIMETERS
     };
     /// A Q matrix as pasted.
-    Q_MATRIX = FieldSpec { key: "q-matrix", name: "Q matrix", noun: "the Q matrix", kind: Kind::Text, ..BLANK };
+    Q_MATRIX = FieldSpec {
+        key: "q-matrix", name: "Q matrix", noun: "the Q matrix", kind: Kind::Text,
+        examples: &["[[1. 0. 0. −610.] [0. 1. 0. −350.] [0. 0. 0. 700.] [0. 0. 0.01 0.4]]"], ..BLANK
+    };
 }
 
 #[cfg(test)]

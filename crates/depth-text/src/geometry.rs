@@ -7,13 +7,14 @@ use crate::fields::{
 };
 use crate::note::{Issue, Note};
 use crate::reading::{Reading, with_opposite_sign};
-use depth_core::agreement::LARGEST_RATIO;
+use depth_core::agreement::Comparison;
 use depth_core::angle::Angle;
 use depth_core::camera::{Along, BelowAxis, GroundSolution, GroundView, PointSolution, PointView, RightOfAxis};
 use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
 use depth_core::problem::{Method, Origin, Solution};
 use depth_core::quantity::{Length, Pixels, Quantity};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 
 /// The point in space and the ground plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -31,16 +32,13 @@ pub struct Geometry {
 pub enum PointOrigin {
     /// It was computed.
     Distance(Origin),
+    /// It was given, in place of the distance of this method.
+    Given(Method),
     /// The range was measured.
     Range,
 }
 
 impl Geometry {
-    /// The fields of the point in space.
-    pub const POINT: [Key; 6] = [CX, CY, FY, PIXEL_COLUMN, PIXEL_ROW, TAPED_RANGE];
-    /// The fields of the ground plane. The camera is that of the point.
-    pub const GROUND: [Key; 6] = [CAMERA_HEIGHT, CAMERA_PITCH, FLOOR_ROW, FLOOR_COLUMN, TARGET_HEIGHT, FLOOR_ANGLE];
-
     /// What follows from `readings` and `solution`, and what is to be said about it. `given`: the distance that was given, by which
     /// something else was solved for.
     pub(crate) fn new(readings: &[&Reading], solution: &Solution, given: Option<(Method, Measured<Length>)>) -> (Self, Vec<Note>) {
@@ -56,6 +54,9 @@ impl Geometry {
         (Self { point, ground, facing }, notes)
     }
 }
+
+/// How far beyond straight up or down a camera may be turned, rad: a gimbal that swings through. Farther is no pitch.
+const LARGEST_TURN: f64 = FRAC_PI_6;
 
 /// The σ of a ground distance, as a part of the slant, and of a range as a part of it, from which on it says little.
 const LARGEST_SIGMA: f64 = 0.3;
@@ -108,7 +109,7 @@ fn point(camera: &Camera<'_>) -> Result<Option<(PointOrigin, PointSolution)>, No
 fn point_view(camera: &Camera<'_>) -> Option<(PointOrigin, PointView)> {
     let (origin, along) = match (camera.measured(TAPED_RANGE), camera.given) {
         (Some(range), _) => (PointOrigin::Range, Along::Ray(range)),
-        (None, Some((method, distance))) => (PointOrigin::Distance(Origin::Method(method)), Along::KnownAxis(distance)),
+        (None, Some((method, distance))) => (PointOrigin::Given(method), Along::GivenDepth(distance)),
         (None, None) => {
             let best = camera.solution.best()?;
             (PointOrigin::Distance(best.origin), Along::Axis(best.distance))
@@ -193,19 +194,28 @@ fn refused(camera: &Camera<'_>, key: Key, error: Unsolvable) -> Note {
 /// A warning where a range by tape and the distance that was computed cannot both be right.
 fn contradiction(camera: &Camera<'_>, origin: PointOrigin, point: &PointSolution) -> Option<Note> {
     let best = camera.solution.best().filter(|_| origin == PointOrigin::Range)?.distance;
-    let times = point.z.value.m() / best.value.m();
-    let sigma = point.z.relative().hypot(best.relative());
-    let is_contradiction = if sigma > 0.0 {
-        times.ln().abs() > 3.0 * sigma
-    } else {
-        times.max(1.0 / times) > LARGEST_RATIO
-    };
-    is_contradiction.then(|| Note::warning(TAPED_RANGE, Issue::RangeContradicts { times }))
+    let range = camera.measured::<Length>(TAPED_RANGE)?;
+    // Both depths grow with the focal length, by f and by 1 − Z²/R² of it: what is left of it between them is Z²/R².
+    let slope = point.z.value.m() / range.value.m();
+    let of_focal_length = camera.fx().map_or(0.0, Measured::relative) * slope * slope;
+    let with = |value: Length, relative: f64| Measured::new(value, Length::from_m(value.m() * relative));
+    let computed = with(best.value, best.relative().hypot(of_focal_length));
+    let comparison = Comparison::of_independent(with(point.z.value, range.relative()), computed);
+    let times = comparison.ratio?;
+    comparison
+        .contradict()
+        .then(|| Note::warning(TAPED_RANGE, Issue::RangeContradicts { times }))
 }
 
 fn ground(camera: &Camera<'_>) -> Result<Option<GroundSolution>, Note> {
     if camera.reading(FLOOR_ROW).is_some() && camera.reading(FLOOR_ANGLE).is_some() {
         return Err(Note::error(FLOOR_ANGLE, Issue::RowAndAngle));
+    }
+    if camera
+        .reading(CAMERA_PITCH)
+        .is_some_and(|pitch| pitch.value.abs() > FRAC_PI_2 + LARGEST_TURN)
+    {
+        return Err(Note::error(CAMERA_PITCH, Issue::PitchTooLarge));
     }
     let Some(view) = ground_view(camera) else { return Ok(None) };
     view.solve().map(Some).map_err(|error| ground_note(camera, error))
@@ -248,10 +258,11 @@ fn ground_note(camera: &Camera<'_>, error: Unsolvable) -> Note {
     } = error
         && let Some(pitch) = camera.reading(CAMERA_PITCH)
     {
-        let issue = if pitch.value < 0.0 {
-            Issue::PitchCountsDownwards
-        } else {
+        let height = |key| camera.reading(key).map_or(0.0, |reading| reading.value);
+        let issue = if height(TARGET_HEIGHT) > height(CAMERA_HEIGHT) {
             Issue::LooksDownAtHigherTarget
+        } else {
+            Issue::PitchCountsDownwards
         };
         return Note::error(CAMERA_PITCH, issue).with_fixes(vec![with_opposite_sign(pitch)]);
     }

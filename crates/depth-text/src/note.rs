@@ -164,6 +164,8 @@ variants! {
         NotANumber { key: Key, text: String },
         /// What follows the number is no unit, or none of this field.
         UnknownUnit { key: Key, unit: String },
+        /// A unit that exists, of another kind than the field.
+        UnitDoesNotFit { key: Key, unit: String },
         /// It has several separators, and no way to read them.
         SeveralSeparators { text: String },
         /// It has separators that some countries read in another way.
@@ -204,6 +206,8 @@ variants! {
         SizeOfSquares { text: String },
         /// A focal length that may be a multiple of the image's width or of half of it, with the fields of view of both.
         MultipleOfWidth { number: String, of_width: Angle, of_half: Angle },
+        /// An angle in degrees whose number looks like one in radians.
+        AngleInRadians { key: Key, number: String },
         /// A field of view in degrees that would be usual in radians.
         DegreesOrRadians { number: String },
 
@@ -251,6 +255,8 @@ variants! {
         TiltTooLarge,
         /// A ray that never meets the floor, or the plane of the target.
         MissesPlane,
+        /// A pitch far beyond straight up or down.
+        PitchTooLarge,
         /// It would with the opposite pitch.
         PitchCountsDownwards,
         /// A target above a camera that looks down: it would meet its plane with the opposite pitch.

@@ -9,7 +9,7 @@ use depth_core::camera::field_of_view;
 use depth_core::disparity::is_no_match;
 use depth_core::judge::{Term, Unsolvable};
 use depth_core::measured::Measured;
-use depth_core::problem::{Field, Method, Outcome, Problem, Refusal, Solution, better_unit};
+use depth_core::problem::{Comparison, Field, Method, Outcome, Problem, Refusal, Solution, better_unit};
 use depth_core::quantity::{Length, Pixels};
 use depth_core::unknown::{Found, MonocularEquation, StereoEquation};
 
@@ -143,16 +143,28 @@ pub(crate) fn judge_solved(problem: &Problem, field: Field) -> Option<Note> {
     (!problem.is_usual(field)).then(|| Note::warning(key, Issue::Unusual { key }))
 }
 
-/// Leaves out of `solution` what would only repeat that the distance of `method` was given: its σ, and what follows from that.
-pub(crate) fn forget_echo(solution: &mut Solution, method: Method) {
+/// Leaves out of `solution` what would only repeat that the distance of `method` was `given`: its σ, and what follows from that.
+/// What was given is compared with the distance by the other method.
+pub(crate) fn forget_echo(solution: &mut Solution, method: Method, given: Measured<Length>) {
+    let other = match method {
+        Method::Stereo => Method::Monocular,
+        Method::Monocular => Method::Stereo,
+    };
+    let computed = solution.outcome(other).distance().map(|distance| {
+        let sigma = solution
+            .uncertainty(other)
+            .map_or(Length::from_m(0.0), |uncertainty| uncertainty.sigma);
+        Measured::new(distance, sigma)
+    });
     match method {
         Method::Stereo => solution.stereo_uncertainty = None,
         Method::Monocular => solution.monocular_uncertainty = None,
     }
     solution.combined = None;
-    if let Some(comparison) = &mut solution.comparison {
-        comparison.agreement = None;
-    }
+    solution.comparison = computed.map(|computed| match method {
+        Method::Stereo => Comparison::of_independent(given, computed),
+        Method::Monocular => Comparison::of_independent(computed, given),
+    });
 }
 
 /// The distance and its σ.

@@ -2,11 +2,12 @@
 //! sixteen numbers. One scanner takes the numbers behind the name Q; it is no parser of any of these formats.
 
 use crate::assess::Assessment;
+use crate::entry::Entry;
 use crate::field::Key;
-use crate::fields::{BASELINE, CX, CY, FOCAL_LENGTH};
+use crate::fields::{BASELINE, CX, CY, DOFFS, FOCAL_LENGTH};
 use crate::form::Inputs;
 use crate::note::Issue;
-use crate::number::exact;
+use crate::number::{exact, plain};
 use depth_core::q_matrix::{self, StereoGeometry};
 use depth_core::quantity::Pixels;
 
@@ -17,9 +18,11 @@ use depth_core::quantity::Pixels;
 pub fn read(text: &str) -> Result<StereoGeometry, Issue> {
     // Whatever stands for a minus in what was copied from a document.
     let text = text.replace(['−', '–', '—', '‐', '‑', '﹣', '－'], "-");
+    let text = without_comments(&text);
     let entries = entries(&text)?;
     let side_by_side = side_by_side(entries);
-    let Scanned { numbers, factor } = numbers(side_by_side.as_deref().unwrap_or(entries))?;
+    let entries = side_by_side.as_deref().unwrap_or(entries);
+    let Scanned { numbers, factor } = sixteen(entries)?;
     let mut matrix = [[0.0; 4]; 4];
     for (slot, (number, _)) in matrix.iter_mut().flatten().zip(&numbers) {
         *slot = number * factor.unwrap_or(1.0);
@@ -121,6 +124,41 @@ fn behind_data(text: &str) -> &str {
         }
     }
     text
+}
+
+/// `text` without the lines that are comments, whose numbers are no entries.
+fn without_comments(text: &str) -> String {
+    let is_comment = |line: &&str| line.trim_start().starts_with(['#']) || line.trim_start().starts_with("//");
+    text.lines().filter(|line| !is_comment(line)).collect::<Vec<_>>().join("\n")
+}
+
+/// The numbers in `entries`; where they are not sixteen, those behind its brackets (a date may stand before them), or with commas
+/// for decimal points, if that makes them sixteen.
+fn sixteen(entries: &str) -> Result<Scanned, Issue> {
+    let first = numbers(entries);
+    let is_complete = |scanned: &Scanned| scanned.numbers.len() == 16;
+    if first.as_ref().is_ok_and(is_complete) {
+        return first;
+    }
+    let in_brackets = entries.find("[[").and_then(|at| numbers(entries.get(at..)?).ok());
+    let with_points = || numbers(&with_decimal_points(entries)).ok();
+    in_brackets
+        .filter(is_complete)
+        .or_else(|| with_points().filter(is_complete))
+        .map_or(first, Ok)
+}
+
+/// `text` with a point for each comma between two digits.
+fn with_decimal_points(text: &str) -> String {
+    let mut before = ' ';
+    let mut rest = text.chars().peekable();
+    let mut written = String::with_capacity(text.len());
+    while let Some(c) = rest.next() {
+        let is_decimal = c == ',' && before.is_ascii_digit() && rest.peek().is_some_and(char::is_ascii_digit);
+        written.push(if is_decimal { '.' } else { c });
+        before = c;
+    }
+    written
 }
 
 /// The rows of a matrix that MATLAB or Octave printed in parts because it was too wide, each in one piece again; `None` where it
@@ -238,6 +276,11 @@ impl<'a> Scanner<'a> {
             return Token::Unreadable(word);
         };
         self.rest = rest;
+        // A product is written without a gap; what MATLAB multiplies a matrix by has one.
+        if let Some((factor, _, rest)) = rest.strip_prefix('*').and_then(leading_number) {
+            self.rest = rest;
+            return Token::Number(number * factor, 0.0);
+        }
         let Some((divisor, rest)) = rest.trim_start_matches(' ').strip_prefix('/').and_then(divisor) else {
             return Token::Number(number, unit);
         };
@@ -349,4 +392,18 @@ pub fn written(geometry: &StereoGeometry) -> Option<String> {
 pub fn missing_for_form(inputs: &Inputs) -> Vec<Key> {
     let needed = [FOCAL_LENGTH, BASELINE, CX, CY].into_iter();
     needed.filter(|&key| inputs.entry(key).is_blank()).collect()
+}
+
+/// `inputs` with what the matrix says, its baseline with a unit.
+pub fn filled_in(inputs: &Inputs, geometry: &StereoGeometry, baseline: Entry) -> Inputs {
+    let mut filled = inputs.clone();
+    for (key, value) in [(CX, geometry.cx), (CY, geometry.cy)] {
+        filled.fill(key, Entry::new(plain(value.px()), None));
+    }
+    filled.fill(FOCAL_LENGTH, Entry::new(plain(geometry.focal_length.px()), None));
+    filled.fill(BASELINE, baseline);
+    let doffs = geometry.doffs.px();
+    let doffs = if doffs == 0.0 { String::new() } else { plain(doffs) };
+    filled.fill(DOFFS, Entry::new(doffs, None));
+    filled
 }

@@ -21,6 +21,8 @@ pub struct Reading {
     /// The unit that holds: the one typed behind the number, else the one chosen beside it, else that of the field;
     /// `None` where there are no units.
     pub unit: Option<Unit>,
+    /// That unit as it was typed behind the number; empty where it was not.
+    pub unit_text: String,
     /// Whether that unit was typed, now or before the field was left.
     pub unit_was_typed: bool,
     /// The value in the base unit: pixels, meters, radians, or the number itself.
@@ -34,6 +36,8 @@ impl Reading {
     pub fn text(&self) -> String {
         match self.unit {
             Some(Unit::Degree) => format!("{}°", self.number_text),
+            // In the unit in which their size was typed.
+            Some(Unit::Square(_)) if !self.unit_text.is_empty() => format!("{} {}", self.number_text, self.unit_text),
             Some(unit) => format!("{} {unit}", self.number_text),
             None => self.number_text.clone(),
         }
@@ -92,6 +96,7 @@ pub fn read(key: Key, entry: &Entry) -> Result<Option<Reading>, Note> {
         number: typed.number,
         number_text: typed.number_text.to_owned(),
         unit,
+        unit_text: typed.unit_text.to_owned(),
         unit_was_typed: typed.unit.is_some() || entry.unit_was_typed,
         value,
         sigma: None,
@@ -163,7 +168,7 @@ fn wrong_unit(key: Key, entry: &Entry, typed: Typed<'_>, unit: Unit) -> Issue {
             unit,
         },
         (Kind::Length(_) | Kind::Pitch, Unit::Pixel) => Issue::PixelsForLength { key },
-        _ => Issue::UnknownUnit {
+        _ => Issue::UnitDoesNotFit {
             key,
             unit: typed.unit_text.to_owned(),
         },

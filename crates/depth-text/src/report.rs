@@ -218,6 +218,7 @@ pub const fn point_origin(origin: PointOrigin) -> &'static str {
         PointOrigin::Distance(Origin::Combined) => "from the combined distance",
         PointOrigin::Distance(Origin::Method(Method::Stereo)) => "from the stereo distance",
         PointOrigin::Distance(Origin::Method(Method::Monocular)) => "from the monocular distance",
+        PointOrigin::Given(_) => "from the distance that was given",
         PointOrigin::Range => "from the range",
     }
 }
@@ -280,10 +281,9 @@ pub fn unknown_in_parts(unknown: &Unknown, unit: LengthUnit) -> Option<[String; 
 /// What was solved for and its σ, a length in `unit`, with the unit that both are in.
 fn unknown_in(unknown: &Unknown, unit: LengthUnit) -> Option<(f64, f64, Unit)> {
     let found = unknown.outcome.as_ref().ok()?;
-    let unit = if Key::from(unknown.field).is_length() {
-        Unit::Length(unit)
-    } else {
-        Unit::Pixel
+    let unit = match Key::from(unknown.field).kind.base_unit()? {
+        Unit::Length(_) => Unit::Length(unit),
+        other => other,
     };
     Some((unit.from_base(found.value), unit.from_base(found.sigma), unit))
 }

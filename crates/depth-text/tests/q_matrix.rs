@@ -58,6 +58,20 @@ fn every_way_to_write_it_is_read() {
     );
 }
 
+/// What people write around and between the numbers.
+#[test]
+fn comments_dates_products_and_decimal_commas_are_no_obstacle() {
+    is_the_reference("# 1 2 3\nnp.array([[1,0,0,-610],[0,1,0,-350],[0,0,0,700],[0,0,0.01,0.4]], np.float32)");
+    is_the_reference("// fx 700\ndouble Q[4][4] = {1,0,0,-610,0,1,0,-350,0,0,0,700,0,0,0.01,0.4};");
+    is_the_reference("Q matrix (2023-05-01):\n[[1,0,0,-610],[0,1,0,-350],[0,0,0,700],[0,0,0.01,0.4]]");
+    is_the_reference("1 0 0 -610,0 0 1 0 -350,0 0 0 0 700,0 0 0 0,01 0,4");
+    is_the_reference("[[1, 0, 0, -0.5*1220], [0, 1, 0, -0.5*700], [0, 0, 0, 700], [0, 0, 1/100, 0.4]]");
+    // −1/Tx of a baseline of −0.2, and of one of +0.2, which is swapped.
+    let q = |w: &str| read(&format!("[[1,0,0,-610],[0,1,0,-350],[0,0,0,700],[0,0,{w},0]]")).unwrap();
+    assert_eq!((q("-1/-0.2").baseline, q("-1/-0.2").swapped), (0.2, false));
+    assert_eq!((q("-1/0.2").baseline, q("-1/0.2").swapped), (0.2, true));
+}
+
 /// A narrow window of MATLAB's or Octave's, in which the matrix is printed in parts.
 #[test]
 fn a_matrix_in_parts_is_put_together() {

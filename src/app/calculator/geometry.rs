@@ -8,9 +8,7 @@ use crate::app::theme;
 use crate::app::widgets::cards::{self, Row};
 use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::text;
-use depth_text::field::Key;
-use depth_text::fields;
-use depth_text::geometry::Geometry;
+use depth_text::field::Section;
 use depth_text::report;
 use depth_text::style::Style;
 use egui::Ui;
@@ -35,7 +33,7 @@ fn card_ui(ui: &mut Ui, cx: &mut AppContext<'_>, card: Card, row: Row) {
 }
 
 fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
-    fields_ui(ui, cx, &Geometry::POINT);
+    fields_ui(ui, cx, Section::Point);
     if let Some((origin, point)) = cx.session.assessment().geometry.point {
         text::caption_ui(ui, format!("Z {}", report::point_origin(origin)));
         let rows = report::point(Style::WINDOW, &point, cx.unit());
@@ -45,7 +43,7 @@ fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
 }
 
 fn tilt_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
-    fields_ui(ui, cx, &[fields::TILT]);
+    fields_ui(ui, cx, Section::Target);
     if let Some(without) = cx.session.assessment().geometry.facing {
         let unit = cx.unit();
         text::caption_ui(ui, Hint::TiltIsUsed { without, unit }.to_string());
@@ -54,7 +52,7 @@ fn tilt_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
 }
 
 fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
-    fields_ui(ui, cx, &Geometry::GROUND);
+    fields_ui(ui, cx, Section::Ground);
     if let Some(ground) = &cx.session.assessment().geometry.ground {
         let rows = report::ground(Style::WINDOW, ground, cx.unit());
         super::table::pairs_ui(ui, "Ground plane", &rows);
@@ -62,15 +60,15 @@ fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     text::caption_ui(ui, Hint::GroundPlane.to_string());
 }
 
-fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, keys: &[Key]) {
-    for &key in keys {
+fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, section: Section) {
+    for key in section.keys() {
         let (inputs, assessment) = cx.session.parts();
         let field = Field {
             key,
             entry: inputs.entry_mut(key),
             reading: assessment.reading(key),
             notes: assessment.notes.iter().filter(|note| note.key == key).collect(),
-            with_sigma: key.has_sigma,
+            with_sigma: true,
             helper: None,
             id: field::id(key),
             submits: false,

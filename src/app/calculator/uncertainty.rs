@@ -74,9 +74,7 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
             ui.label(format!("{} {}", short_name(share.source), percent(share.share)));
         });
     }
-    if let Some(bias) = uncertainty.bias
-        && bias.m() > uncertainty.sigma.m() / 100.0
-    {
+    if let Some(bias) = uncertainty.notable_bias() {
         text::caption_ui(ui, Hint::Bias { bias, unit }.to_string());
     }
     if !uncertainty.model.first_order_is_good() {

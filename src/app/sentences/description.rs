@@ -2,7 +2,7 @@
 
 use super::hint::{Hint, grouped};
 use crate::core::monte_carlo::Histogram;
-use crate::core::problem::{Method, Solution, Uncertainty};
+use crate::core::problem::{Method, Origin, Solution, Uncertainty};
 use crate::core::quantity::{Length, LengthUnit, Pixels};
 use depth_text::names::Named as _;
 use depth_text::sentences::percent;
@@ -16,15 +16,8 @@ pub enum Description<'a> {
     Bars { solution: &'a Solution, unit: LengthUnit },
     /// The curve of distance against disparity, with the current point where there is one.
     Curve { point: Option<(Pixels, Length)>, unit: LengthUnit },
-    /// The scene from above. `baseline` is absent for one camera, `width` where that of the object is not known, and the far end of
-    /// `interval` where it is infinitely far away.
-    TopView {
-        baseline: Option<&'a str>,
-        distance: &'a str,
-        interval: Option<(Length, Option<Length>)>,
-        width: Option<&'a str>,
-        unit: LengthUnit,
-    },
+    /// The scene from above.
+    TopView(TopView<'a>),
     /// The bar of the shares of the variance.
     Budget { uncertainty: &'a Uncertainty },
     /// The histogram of so many simulated distances.
@@ -35,12 +28,26 @@ pub enum Description<'a> {
     },
 }
 
+/// What the top view shows. `baseline` is absent for one camera, `width` where that of the object is not known, and the far end of
+/// `interval` where it is infinitely far away.
+#[derive(Clone, Copy, Debug)]
+#[allow(missing_docs, reason = "the facts of a sentence have the names of what they are")]
+pub struct TopView<'a> {
+    pub baseline: Option<&'a str>,
+    pub distance: &'a str,
+    /// Which of two distances that is.
+    pub origin: Option<Origin>,
+    pub interval: Option<(Length, Option<Length>)>,
+    pub width: Option<&'a str>,
+    pub unit: LengthUnit,
+}
+
 impl Display for Description<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let length = |length, unit| report::length(Some(length), unit);
         match *self {
             Self::Bars { solution, unit } => {
-                let bars = Method::ALL.map(|method| bar(solution, method, unit));
+                let bars: Vec<String> = Method::ALL.iter().filter_map(|&method| bar(solution, method, unit)).collect();
                 write!(f, "Bar chart. {}.", bars.join(", "))
             }
             Self::Curve { point, unit } => {
@@ -55,33 +62,7 @@ impl Display for Description<'_> {
                     None => f.write_str(" Enter a disparity to see its point."),
                 }
             }
-            Self::TopView {
-                baseline,
-                distance,
-                interval,
-                width,
-                unit,
-            } => {
-                match baseline {
-                    Some(baseline) => write!(f, "Two cameras {baseline} apart")?,
-                    None => f.write_str("One camera")?,
-                }
-                write!(f, "; the object {distance} away")?;
-                match interval {
-                    Some((near, Some(far))) => write!(f, ", between {} and {}", length(near, unit), length(far, unit))?,
-                    Some((near, None)) => write!(f, ", {} or more", length(near, unit))?,
-                    None => {}
-                }
-                if let Some(width) = width {
-                    write!(f, ", {width} wide")?;
-                }
-                let place = if baseline.is_some() {
-                    Hint::ObjectMidway
-                } else {
-                    Hint::ObjectAhead
-                };
-                write!(f, ". {place}")
-            }
+            Self::TopView(view) => view.fmt(f),
             Self::Budget { uncertainty } => write!(f, "Shares of the variance: {}.", report::budget(uncertainty)),
             Self::Histogram { histogram, draws, unit } => write!(
                 f,
@@ -95,27 +76,65 @@ impl Display for Description<'_> {
     }
 }
 
+impl Display for TopView<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Self {
+            baseline,
+            distance,
+            origin,
+            interval,
+            width,
+            unit,
+        } = *self;
+        let length = |length, unit| report::length(Some(length), unit);
+        match baseline {
+            Some(baseline) => write!(f, "Two cameras {baseline} apart")?,
+            None => f.write_str("One camera")?,
+        }
+        write!(f, "; the object {distance} away")?;
+        match origin {
+            Some(Origin::Combined) => f.write_str(" by both methods combined")?,
+            Some(Origin::Method(method)) => write!(f, " by {}", method.name().to_lowercase())?,
+            None => {}
+        }
+        match interval {
+            Some((near, Some(far))) => write!(f, ", between {} and {}", length(near, unit), length(far, unit))?,
+            Some((near, None)) => write!(f, ", {} or more", length(near, unit))?,
+            None => {}
+        }
+        if let Some(width) = width {
+            write!(f, ", {width} wide")?;
+        }
+        let place = if baseline.is_some() {
+            Hint::ObjectMidway
+        } else {
+            Hint::ObjectAhead
+        };
+        write!(f, ". {place}")
+    }
+}
+
 /// "Stereo distance 1.400 ± 0.031 m, from 1.369 … 1.432 m"
-fn bar(solution: &Solution, method: Method, unit: LengthUnit) -> String {
-    let distance = solution.outcome(method).distance();
-    let words = match (distance, solution.uncertainty(method)) {
-        (Some(distance), Some(uncertainty)) => format!(
+fn bar(solution: &Solution, method: Method, unit: LengthUnit) -> Option<String> {
+    let distance = solution.outcome(method).distance()?;
+    let words = match solution.uncertainty(method) {
+        Some(uncertainty) => format!(
             "{}, from {}",
             report::with_sigma(distance, uncertainty.sigma, unit).text(unit),
             report::interval(uncertainty, unit)
         ),
-        _ => report::length(distance, unit),
+        None => report::length(Some(distance), unit),
     };
-    format!("{} distance {words}", method.name())
+    Some(format!("{} distance {words}", method.name()))
 }
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::Description;
+    use super::{Description, TopView};
     use crate::app::sentences::snapshot::{assert_said, every};
     use crate::core::monte_carlo::Histogram;
-    use crate::core::problem::{Field, Problem};
+    use crate::core::problem::{Field, Origin, Problem};
     use crate::core::quantity::{Length, LengthUnit, Pixels};
 
     #[test]
@@ -139,25 +158,27 @@ mod tests {
         let mut descriptions = every![Description<'_>;
             Description::Bars { .. } => Description::Bars { solution: &solution, unit },
             Description::Curve { .. } => Description::Curve { point: Some((Pixels::new(50.0), meters(1.4))), unit },
-            Description::TopView { .. } => Description::TopView {
+            Description::TopView(_) => Description::TopView(TopView {
                 baseline: Some("10 cm"),
-                distance: "1.400 m (combined)",
+                distance: "1.400 m",
+                origin: Some(Origin::Combined),
                 interval: Some((meters(1.373), Some(meters(1.429)))),
                 width: None,
                 unit,
-            },
+            }),
             Description::Budget { .. } => Description::Budget { uncertainty: solution.stereo_uncertainty.as_ref().unwrap() },
             Description::Histogram { .. } => Description::Histogram { histogram: &histogram, draws: 100, unit },
         ];
         descriptions.extend([
             Description::Curve { point: None, unit },
-            Description::TopView {
+            Description::TopView(TopView {
                 baseline: None,
                 distance: "4.275 m",
+                origin: None,
                 interval: Some((meters(4.1), None)),
                 width: Some("0.9 m"),
                 unit,
-            },
+            }),
         ]);
         assert_said("descriptions", &descriptions);
     }

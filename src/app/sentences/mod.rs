@@ -12,7 +12,7 @@ mod notice;
 mod page_failure;
 mod platform_error;
 
-pub use description::Description;
+pub use description::{Description, TopView};
 pub use hint::Hint;
 pub use notice::{FreshStart, NoticeText};
 #[cfg(target_arch = "wasm32")]

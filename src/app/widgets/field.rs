@@ -81,7 +81,7 @@ impl Field<'_> {
                 ui.spacing_mut().item_spacing.x = FIELD_PARTS_GAP;
                 self.text_ui(ui, &label, commands);
                 let unit = self.unit_ui(ui, commands);
-                if self.with_sigma {
+                if self.with_sigma && self.key.has_sigma {
                     self.sigma_ui(ui, commands);
                 }
                 unit.is_some_and(|unit| unit.has_focus() || unit.lost_focus())

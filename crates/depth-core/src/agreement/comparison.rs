@@ -1,7 +1,9 @@
 //! Whether two distances to the same object agree.
 
 use crate::arithmetic::{log_ratio, root_sum_of_squares};
+use crate::measured::Measured;
 use crate::model::Model;
+use crate::quantity::Length;
 
 /// How well two distances agree.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,8 +79,31 @@ impl Comparison {
     /// Source: the ζ score of ISO 13528 (difference over its standard uncertainty, with its limits 2 and 3), here of the
     /// logarithms, because both distances are products.
     pub fn of(first: &Model, second: &Model) -> Self {
-        let (z1, z2) = (first.depth().m(), second.depth().m());
-        let (r1, r2) = (first.own_relative_sigma(), second.own_relative_sigma());
+        Self::relative(
+            [first.depth().m(), second.depth().m()],
+            [first.own_relative_sigma(), second.own_relative_sigma()],
+        )
+    }
+
+    /// Compares two distances that share nothing, each with its whole σ.
+    ///
+    /// ```
+    /// use depth_core::agreement::{Comparison, Verdict};
+    /// use depth_core::measured::Measured;
+    ///
+    /// // ln(2/1.4) is 12.6 times √(1 %² + 2.65 %²).
+    /// let comparison = Comparison::of_independent(Measured::from_base(2.0, 0.02), Measured::from_base(1.4, 0.0371));
+    /// assert!((comparison.agreement.unwrap().z - 12.59).abs() < 0.01);
+    /// assert!(Comparison::of_independent(Measured::from_base(2.0, 0.0), Measured::from_base(1.4, 0.1)).agreement.is_none());
+    /// ```
+    ///
+    /// Source: as [`of`](Self::of).
+    pub fn of_independent(first: Measured<Length>, second: Measured<Length>) -> Self {
+        Self::relative([first.value.m(), second.value.m()], [first.relative(), second.relative()])
+    }
+
+    /// Compares two distances, m, with the relative σ that they do not share.
+    fn relative([z1, z2]: [f64; 2], [r1, r2]: [f64; 2]) -> Self {
         let agreement = (r1 > 0.0 && r2 > 0.0).then(|| {
             let z = (log_ratio(z1, z2).abs() / root_sum_of_squares(&[r1, r2])).min(f64::MAX);
             Agreement {

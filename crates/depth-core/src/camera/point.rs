@@ -14,7 +14,7 @@ pub enum Along {
     /// ([`own_relative_sigma`](crate::uncertainty::Model::own_relative_sigma)).
     Axis(Measured<Length>),
     /// Along the optical axis, measured by other means, so that the focal length has no part in its σ.
-    KnownAxis(Measured<Length>),
+    GivenDepth(Measured<Length>),
     /// Along the ray of the pixel: the range R, as a tape measure or a laser shows it.
     Ray(Measured<Length>),
 }
@@ -90,10 +90,10 @@ impl PointView {
         judge::value(Term::Column, judge::finite(self.column.px()))?;
         judge::value(Term::Row, judge::finite(self.row.px()))?;
         let given = match self.along {
-            Along::Axis(length) | Along::KnownAxis(length) | Along::Ray(length) => judge::positive_measured(Term::Distance, length)?,
+            Along::Axis(length) | Along::GivenDepth(length) | Along::Ray(length) => judge::positive_measured(Term::Distance, length)?,
         };
         let depth = match self.along {
-            Along::Axis(depth) | Along::KnownAxis(depth) => depth.value,
+            Along::Axis(depth) | Along::GivenDepth(depth) => depth.value,
             Along::Ray(range) => self.depth_at(range.value)?,
         };
         let x = offset_from_axis(self.column, self.cx, depth, self.fx.value).ok_or(Unsolvable::too_extreme(Term::Column))?;
@@ -113,7 +113,7 @@ impl PointView {
                 z: with(depth, 1.0),
                 range: with(range, slope * slope),
             },
-            Along::KnownAxis(_) => PointSolution {
+            Along::GivenDepth(_) => PointSolution {
                 x: with(x, 1.0),
                 y: with(y, 1.0),
                 z: with(depth, 0.0),

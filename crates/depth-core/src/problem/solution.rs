@@ -7,7 +7,7 @@ use crate::judge::Refusal;
 use crate::measured::Measured;
 use crate::method::Method;
 use crate::quantity::{Length, Pixels};
-use crate::uncertainty::Uncertainty;
+use crate::uncertainty::{Interval, Uncertainty};
 
 /// What came of one method.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -191,6 +191,31 @@ impl Solution {
                 distance: Measured::from_base(distance, distance * own),
             })
         })
+    }
+
+    /// The 1 σ interval of the [best](Self::best) distance; `None` where it has no σ. That of the combined distance is symmetric, as
+    /// only its first order is known.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// assert_eq!(mug.solve().best_interval(), None);
+    /// mug.set_sigma(Field::Disparity, 10.0);
+    /// // 70/60 and 70/40.
+    /// let interval = mug.solve().best_interval().unwrap();
+    /// assert!((interval.near.m() - 1.166667).abs() < 1e-6 && (interval.far.unwrap().m() - 1.75).abs() < 1e-6);
+    /// ```
+    pub fn best_interval(&self) -> Option<Interval> {
+        match (self.best()?.origin, self.combined) {
+            (Origin::Method(method), _) => self.uncertainty(method).map(|uncertainty| uncertainty.interval),
+            (Origin::Combined, combined) => combined.map(|combined| Interval {
+                near: Length::from_m((combined.value.m() - combined.sigma.m()).max(0.0)),
+                far: Some(Length::from_m(combined.value.m() + combined.sigma.m())),
+            }),
+        }
     }
 
     /// The stereo distances with the disparity one pixel larger (nearer) and one smaller; the second is `None` where the

@@ -39,6 +39,10 @@ variants! {
         NoGround { options: Vec<String> },
         /// A file cannot be read.
         UnreadableFile { file: String, reason: String },
+        /// A file is larger than 16 MB.
+        FileTooLarge { file: String },
+        /// A file is not text.
+        FileNotText { file: String },
         /// A σ was given without its value.
         UnusedSigma { option: String },
     }
@@ -74,6 +78,8 @@ impl Display for CommandLine {
             }
             Self::NoGround { options } => incomplete(f, "No distance can be computed.", &enumerated(options)),
             Self::UnreadableFile { file, reason } => write!(f, "{file} cannot be read: {reason}."),
+            Self::FileTooLarge { file } => write!(f, "{file} cannot be read: it is larger than 16 MB."),
+            Self::FileNotText { file } => write!(f, "{file} cannot be read: it is not text."),
             Self::UnusedSigma { option } => write!(f, "Not used without --{option}."),
         }
     }

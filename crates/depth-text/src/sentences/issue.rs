@@ -24,6 +24,7 @@ impl Display for Issue {
             // The value of a field.
             Self::NotANumber { key, text } => write!(f, "{} is not a number. {}", quoted(text), what_to_type(*key)),
             Self::UnknownUnit { key, unit } => write!(f, "{} is not a unit known here. {}", quoted(unit), units(key.kind)),
+            Self::UnitDoesNotFit { key, unit } => write!(f, "{} does not fit {}. {}", quoted(unit), key.noun, units(key.kind)),
             Self::SeveralSeparators { text } => write!(
                 f,
                 "{} has several separators and could mean different things. Type it with one decimal point, such as 1000.5.",
@@ -82,6 +83,7 @@ impl Display for Issue {
                     view(of_half)
                 )
         }
+            Self::AngleInRadians { key, number } => write!(f, "Is {number} in radians? As degrees it is almost nothing for {}.", key.noun),
             Self::DegreesOrRadians { number } => write!(f, "Is {number} in radians? A field of view of {number}° is a telescope’s."),
             Self::UnusualUnitOrSquares { number, unit, better } => write!(
                 f,
@@ -150,6 +152,7 @@ impl Display for Issue {
             // Range, tilt and ground plane, and the ways to a focal length and a disparity.
             Self::TiltTooLarge => f.write_str("A target tilted by 90° or more shows no width. Type an angle below 90°."),
             Self::MissesPlane => f.write_str("This ray is at the horizon or on the other side of it: it never meets the plane of the target. Check row, pitch and heights."),
+            Self::PitchTooLarge => f.write_str("This is no pitch: 0° is level, 90° straight down, −90° straight up. Type an angle between."),
             Self::PitchCountsDownwards => f.write_str("Pitch is counted downwards here: with this sign the ray never meets the plane of the target."),
             Self::LooksDownAtHigherTarget => f.write_str("The camera looks down and the target is above it: this ray never meets the plane of the target. A camera that looks up has a negative pitch."),
             Self::TargetAtCameraHeight => f.write_str("The target is as high as the lens: its plane is seen from the edge, and every distance looks the same."),

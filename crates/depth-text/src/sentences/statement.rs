@@ -124,6 +124,7 @@ impl Statement {
 }
 
 impl Display for Statement {
+    #[expect(clippy::too_many_lines, reason = "an arm is a sentence, and the compiler asks for each")]
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match *self {
             Self::Agree { z } => write!(f, "Stereo and monocular agree within their uncertainties{}.", apart(z)),
@@ -152,11 +153,31 @@ impl Display for Statement {
                 write!(f, "{how} from {} ({})", short_name(source), percent(share))
             }
             Self::SeeNote { key } => write!(f, "none; see the note on {}", key.noun),
-            Self::RawDisparity { .. }
-            | Self::UnitSlip { .. }
-            | Self::OtherSize { .. }
-            | Self::NoSigma { .. }
-            | Self::LargestSigma { .. } => suspicion(*self, f),
+            Self::RawDisparity { scale } => write!(
+                f,
+                "Was the disparity divided by {}? {}",
+                plain(scale),
+                if scale == 16.0 {
+                    "StereoBM and StereoSGBM store sixteenths of a pixel."
+                } else {
+                    "Some files store fixed-point numbers."
+                }
+            ),
+            Self::UnitSlip { key, taken, meant } => write!(
+                f,
+                "Is {} really in {}? In {} the two would agree.",
+                key.noun,
+                taken.name(),
+                meant.name()
+            ),
+            Self::OtherSize { key, times } => write!(
+                f,
+                "Was {} counted in an image of another size ({} times) than the focal length belongs to?",
+                key.noun,
+                plain(times)
+            ),
+            Self::NoSigma { key } => write!(f, "{} is taken to be exact. How well is it known?", capital(key.noun)),
+            Self::LargestSigma { key } => write!(f, "{} has the largest uncertainty: measure it again.", capital(key.noun)),
             Self::WidthsAgree => {
                 f.write_str("Computed from the stereo distance, as a check: both widths agree with what you entered to within 0.1 %.")
             }
@@ -180,37 +201,6 @@ impl Display for Statement {
                 f.write_str("The pixels are known to worse than 10 %: plus or minus σ is a poor description here, the interval is right.")
             }
         }
-    }
-}
-
-fn suspicion(statement: Statement, f: &mut Formatter<'_>) -> fmt::Result {
-    match statement {
-        Statement::RawDisparity { scale } => write!(
-            f,
-            "Was the disparity divided by {}? {}",
-            plain(scale),
-            if scale == 16.0 {
-                "StereoBM and StereoSGBM store sixteenths of a pixel."
-            } else {
-                "Some files store fixed-point numbers."
-            }
-        ),
-        Statement::UnitSlip { key, taken, meant } => write!(
-            f,
-            "Is {} really in {}? In {} the two would agree.",
-            key.noun,
-            taken.name(),
-            meant.name()
-        ),
-        Statement::OtherSize { key, times } => write!(
-            f,
-            "Was {} counted in an image of another size ({} times) than the focal length belongs to?",
-            key.noun,
-            plain(times)
-        ),
-        Statement::NoSigma { key } => write!(f, "{} is taken to be exact. How well is it known?", capital(key.noun)),
-        Statement::LargestSigma { key } => write!(f, "{} has the largest uncertainty: measure it again.", capital(key.noun)),
-        _ => Ok(()),
     }
 }
 

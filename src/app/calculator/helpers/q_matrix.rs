@@ -7,12 +7,10 @@ use crate::app::sentences::{Hint, NoticeText};
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field as FieldWidget};
 use crate::app::widgets::text;
-use crate::core::problem::Field;
 use crate::core::q_matrix::StereoGeometry;
 use crate::core::quantity::{Length, LengthUnit};
 use depth_text::entry::Entry;
 use depth_text::fields;
-use depth_text::form::Inputs;
 use depth_text::note::{Issue, Note, Severity};
 use depth_text::number::plain;
 use depth_text::reading::Reading;
@@ -27,14 +25,16 @@ type Square<'a> = Option<&'a Result<Reading, Note>>;
 /// `read` is what was in the field when the frame began; `None` for nothing.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, read: Option<&Result<StereoGeometry, Issue>>, square: Square<'_>) {
     let palette = theme::palette(ui);
-    let name = ui.label(RichText::new("Q matrix").font(theme::strong(theme::BODY_SIZE)).color(palette.text));
-    let typed = &mut cx.settings.entries.entry_mut(fields::Q_MATRIX).text;
+    let key = fields::Q_MATRIX;
+    let name = ui.label(RichText::new(key.name).font(theme::strong(theme::BODY_SIZE)).color(palette.text));
+    let typed = &mut cx.settings.entries.entry_mut(key).text;
     let field = ui
         .add(
             TextEdit::multiline(typed)
+                .id(field::id(key))
                 .desired_rows(5)
                 .desired_width(ui.available_width())
-                .hint_text(RichText::new("[[1. 0. 0. −610.] [0. 1. 0. −350.] [0. 0. 0. 700.] [0. 0. 0.01 0.4]]").color(palette.muted)),
+                .hint_text(RichText::new(key.example()).color(palette.muted)),
         )
         .labelled_by(name.id);
     text::caption_ui(ui, Hint::QMatrixForms.to_string());
@@ -92,7 +92,7 @@ fn geometry_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, 
             let label = format!("{baseline} {}", unit.symbol());
             if ui.add(Button::new(label).min_size(vec2(0.0, height))).clicked() {
                 let baseline = Entry::new(plain(geometry.baseline), Some(unit));
-                let filled = filled_in(&cx.session.inputs, geometry, baseline);
+                let filled = depth_text::q_matrix::filled_in(&cx.session.inputs, geometry, baseline);
                 cx.commands.push(Command::Open(Box::new(filled), NoticeText::FilledByQMatrix));
             }
         }
@@ -125,21 +125,7 @@ fn squares_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, s
         && let Some(unit) = square
     {
         let baseline = Entry::new(format!("{} {unit}", plain(geometry.baseline)), None);
-        let filled = filled_in(&cx.session.inputs, geometry, baseline);
+        let filled = depth_text::q_matrix::filled_in(&cx.session.inputs, geometry, baseline);
         cx.commands.push(Command::Open(Box::new(filled), NoticeText::FilledByQMatrix));
     }
-}
-
-/// `inputs` with what the matrix says, its baseline with a unit.
-fn filled_in(inputs: &Inputs, geometry: &StereoGeometry, baseline: Entry) -> Inputs {
-    let mut filled = inputs.clone();
-    for (key, value) in [(fields::CX, geometry.cx), (fields::CY, geometry.cy)] {
-        filled.fill(key, Entry::new(plain(value.px()), None));
-    }
-    filled.fill(Field::FocalLength, Entry::new(plain(geometry.focal_length.px()), None));
-    filled.fill(Field::Baseline, baseline);
-    let doffs = geometry.doffs.px();
-    let doffs = if doffs == 0.0 { String::new() } else { plain(doffs) };
-    filled.fill(Field::Doffs, Entry::new(doffs, None));
-    filled
 }

@@ -121,10 +121,9 @@ fn paint(painter: &Painter, palette: &Palette, model: &Model, scene: &Scene, wor
     for &camera in &scene.cameras {
         camera_body(painter, palette, camera);
     }
-    let text = format!("object {}", words.distance);
     let beside = scene.edges.map_or(scene.object, |[_, right]| right).max(scene.object);
     let label = Label {
-        text: &text,
+        text: &words.object,
         position: beside + vec2(size::OBJECT_LABEL_GAP, 0.0),
         anchor: Align2::LEFT_CENTER,
         frame,

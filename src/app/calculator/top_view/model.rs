@@ -1,6 +1,6 @@
 //! What the top view shows, in meters, and what is written into it.
 
-use crate::app::sentences::{Description, Hint};
+use crate::app::sentences::{Description, Hint, TopView};
 use crate::core::problem::{Origin, Solution};
 use crate::core::quantity::{Length, LengthUnit};
 use depth_text::assess::Assessment;
@@ -28,15 +28,8 @@ impl Model {
     pub(super) fn new(solution: &Solution) -> Option<Self> {
         let problem = &solution.problem;
         let best = solution.best()?;
-        let interval_m = match best.origin {
-            Origin::Combined => solution.combined.map(|combined| {
-                let (value, sigma) = (combined.value.m(), combined.sigma.m());
-                ((value - sigma).max(0.0), Some(value + sigma))
-            }),
-            Origin::Method(method) => solution
-                .uncertainty(method)
-                .map(|uncertainty| (uncertainty.interval.near.m(), uncertainty.interval.far.map(Length::m))),
-        };
+        let interval = solution.best_interval();
+        let interval_m = interval.map(|interval| (interval.near.m(), interval.far.map(Length::m)));
         let has_stereo = solution.stereo.distance().is_some();
         let model = Self {
             depth_m: best.distance.value.m(),
@@ -62,18 +55,21 @@ impl Model {
     }
 
     pub(super) fn description<'a>(&self, words: &'a Words) -> Description<'a> {
-        Description::TopView {
+        Description::TopView(TopView {
             baseline: words.baseline.as_deref(),
             distance: &words.distance,
+            origin: self.origin,
             interval: self.interval_m.map(|(near, far)| (Length::from_m(near), far.map(Length::from_m))),
             width: words.width.as_deref(),
             unit: words.unit,
-        }
+        })
     }
 }
 
 /// What is written into the picture: what was typed as it was typed, and the distance in the unit of the results.
 pub(super) struct Words {
+    /// Beside the object.
+    pub(super) object: String,
     pub(super) distance: String,
     pub(super) baseline: Option<String>,
     pub(super) width: Option<String>,
@@ -89,11 +85,12 @@ impl Words {
         };
         let distance = report::length(Some(Length::from_m(model.depth_m)), unit);
         Self {
-            distance: match model.origin {
-                Some(Origin::Combined) => format!("{distance} (combined)"),
-                Some(Origin::Method(method)) => format!("{distance} ({})", method.name().to_lowercase()),
-                None => distance,
+            object: match model.origin {
+                Some(Origin::Combined) => format!("combined {distance}"),
+                Some(Origin::Method(method)) => format!("{} {distance}", method.name().to_lowercase()),
+                None => format!("object {distance}"),
             },
+            distance,
             baseline: typed(fields::BASELINE, model.baseline_m),
             width: typed(fields::REAL_WIDTH, model.width_m),
             unit,
