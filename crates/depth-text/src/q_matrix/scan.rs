@@ -1,53 +1,6 @@
-//! A Q matrix as people paste it: printed by numpy or MATLAB, written in a program, cut from OpenCV's YAML, XML or JSON, or
-//! sixteen numbers. One scanner takes the numbers behind the name Q; it is no parser of any of these formats.
+//! One scanner takes the numbers behind the name Q out of whatever is around them; it is no parser of YAML, XML or JSON.
 
-use crate::assess::Assessment;
-use crate::entry::Entry;
-use crate::field::Key;
-use crate::fields::{BASELINE, CX, CY, DOFFS, FOCAL_LENGTH};
-use crate::form::Inputs;
 use crate::note::Issue;
-use crate::number::{exact, plain};
-use depth_core::q_matrix::{self, StereoGeometry};
-use depth_core::quantity::Pixels;
-
-/// Reads the Q matrix in `text`. In a whole calibration file it is the entry named Q.
-///
-/// # Errors
-/// What is wrong with the text, or which entry of the matrix cannot be one of a Q.
-pub fn read(text: &str) -> Result<StereoGeometry, Issue> {
-    // Whatever stands for a minus in what was copied from a document.
-    let text = text.replace(['−', '–', '—', '‐', '‑', '﹣', '－'], "-");
-    let text = without_comments(&text);
-    let entries = entries(&text)?;
-    let side_by_side = side_by_side(entries);
-    let entries = side_by_side.as_deref().unwrap_or(entries);
-    let Scanned { numbers, factor } = sixteen(entries)?;
-    let mut matrix = [[0.0; 4]; 4];
-    for (slot, (number, _)) in matrix.iter_mut().flatten().zip(&numbers) {
-        *slot = number * factor.unwrap_or(1.0);
-    }
-    if numbers.len() != 16 {
-        return Err(Issue::QMatrixCount { found: numbers.len() });
-    }
-    let is_rounded = numbers
-        .get(W_PER_D)
-        .is_some_and(|&(number, unit)| unit / 2.0 > LARGEST_ROUNDING * number.abs());
-    if factor.is_some() && is_rounded {
-        return Err(Issue::QMatrixRounded);
-    }
-    q_matrix::read(&matrix).map_err(|wrong| Issue::QMatrixEntry {
-        row: wrong.row + 1,
-        column: wrong.column + 1,
-        expected: wrong.expected,
-        found: wrong.found,
-    })
-}
-
-/// The place of one over the baseline among the sixteen numbers.
-const W_PER_D: usize = 14;
-/// How far, as a fraction of it, one over the baseline may have been rounded by a factor that all numbers share.
-const LARGEST_ROUNDING: f64 = 1e-3;
 
 /// A part of the text that means something here.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,7 +29,7 @@ fn is_q(name: &str) -> bool {
 }
 
 /// The part of `text` that holds the sixteen entries: what follows the name Q, and there the name "data".
-fn entries(text: &str) -> Result<&str, Issue> {
+pub(super) fn entries(text: &str) -> Result<&str, Issue> {
     let (mut named, mut mentioned, mut others) = (None, None, false);
     for token in Scanner::of(text) {
         match token {
@@ -127,14 +80,14 @@ fn behind_data(text: &str) -> &str {
 }
 
 /// `text` without the lines that are comments, whose numbers are no entries.
-fn without_comments(text: &str) -> String {
+pub(super) fn without_comments(text: &str) -> String {
     let is_comment = |line: &&str| line.trim_start().starts_with(['#']) || line.trim_start().starts_with("//");
     text.lines().filter(|line| !is_comment(line)).collect::<Vec<_>>().join("\n")
 }
 
 /// The numbers in `entries`; where they are not sixteen, those behind its brackets (a date may stand before them), or with commas
 /// for decimal points, if that makes them sixteen.
-fn sixteen(entries: &str) -> Result<Scanned, Issue> {
+pub(super) fn sixteen(entries: &str) -> Result<Scanned, Issue> {
     let first = numbers(entries);
     let is_complete = |scanned: &Scanned| scanned.numbers.len() == 16;
     if first.as_ref().is_ok_and(is_complete) {
@@ -163,7 +116,7 @@ fn with_decimal_points(text: &str) -> String {
 
 /// The rows of a matrix that MATLAB or Octave printed in parts because it was too wide, each in one piece again; `None` where it
 /// is in one piece. A part is headed "Columns 1 through 3" or "Column 4".
-fn side_by_side(text: &str) -> Option<String> {
+pub(super) fn side_by_side(text: &str) -> Option<String> {
     let is_header = |line: &str| {
         let words = line.trim().trim_end_matches(':');
         let range = words.strip_prefix("Columns ").or_else(|| words.strip_prefix("Column "));
@@ -188,9 +141,9 @@ fn side_by_side(text: &str) -> Option<String> {
 }
 
 /// The numbers of a matrix, each with the unit of its last digit, and what all of them are to be multiplied by.
-struct Scanned {
-    numbers: Vec<(f64, f64)>,
-    factor: Option<f64>,
+pub(super) struct Scanned {
+    pub(super) numbers: Vec<(f64, f64)>,
+    pub(super) factor: Option<f64>,
 }
 
 /// The numbers at the beginning of `text`, up to the next name, or behind the sixteenth to whatever is no number.
@@ -357,53 +310,4 @@ fn is_of_word(c: char) -> bool {
 
 fn is_gap(c: char) -> bool {
     c.is_whitespace() || matches!(c, ',' | ';' | '[' | ']' | '(' | ')' | '{' | '}' | '<')
-}
-
-/// What a Q matrix would hold of the form: its baseline in meters. `None` while focal length, baseline or principal point is
-/// missing.
-pub fn of_form(assessment: &Assessment) -> Option<StereoGeometry> {
-    let problem = &assessment.solution.problem;
-    let pixels = |key| assessment.reading(key).map(|reading| Pixels::new(reading.value));
-    Some(StereoGeometry {
-        focal_length: problem.focal_length?.value,
-        baseline: problem.baseline?.value.m(),
-        doffs: problem.offset().value,
-        cx: pixels(CX)?,
-        cy: pixels(CY)?,
-        swapped: false,
-    })
-}
-
-/// The Q matrix of `geometry` as `stereoRectify` makes it, in YAML as OpenCV's `FileStorage` writes and reads it.
-pub fn written(geometry: &StereoGeometry) -> Option<String> {
-    // OpenCV's own writer puts a point behind every whole number, as its reader makes an integer of what has none.
-    let entry = |number: f64| {
-        let digits = exact(number);
-        if digits.contains(['.', 'e']) { digits } else { digits + "." }
-    };
-    let rows = q_matrix::of(geometry)?.map(|row| row.map(entry).join(", "));
-    let data = rows.join(",\n       ");
-    Some(format!(
-        "%YAML:1.0\n---\nQ: !!opencv-matrix\n   rows: 4\n   cols: 4\n   dt: d\n   data: [ {data} ]\n"
-    ))
-}
-
-/// What of the form is missing for a Q matrix, in reading order.
-pub fn missing_for_form(inputs: &Inputs) -> Vec<Key> {
-    let needed = [FOCAL_LENGTH, BASELINE, CX, CY].into_iter();
-    needed.filter(|&key| inputs.entry(key).is_blank()).collect()
-}
-
-/// `inputs` with what the matrix says, its baseline with a unit.
-pub fn filled_in(inputs: &Inputs, geometry: &StereoGeometry, baseline: Entry) -> Inputs {
-    let mut filled = inputs.clone();
-    for (key, value) in [(CX, geometry.cx), (CY, geometry.cy)] {
-        filled.fill(key, Entry::new(plain(value.px()), None));
-    }
-    filled.fill(FOCAL_LENGTH, Entry::new(plain(geometry.focal_length.px()), None));
-    filled.fill(BASELINE, baseline);
-    let doffs = geometry.doffs.px();
-    let doffs = if doffs == 0.0 { String::new() } else { plain(doffs) };
-    filled.fill(DOFFS, Entry::new(doffs, None));
-    filled
 }
