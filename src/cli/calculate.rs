@@ -102,10 +102,8 @@ impl Calculate {
 
     /// Why what is asked for by `--solve-for` cannot be had, with the option to look at.
     fn why_not_solved(&self, issue: &Issue) -> String {
-        if issue.is_about_distance() {
-            return Warning::new(fields::DISTANCE, issue.part(), issue).to_string();
-        }
         match issue {
+            Issue::MissingForUnknown { key } if *key == fields::DISTANCE => Warning::new(*key, Part::Value, issue).to_string(),
             Issue::MissingForUnknown { .. } => self.what_is_missing().to_string(),
             _ => issue.to_string(),
         }

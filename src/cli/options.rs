@@ -54,7 +54,9 @@ fn ground_fields() -> Vec<Key> {
 
 /// The inputs of which one can be solved for.
 pub(super) fn unknowns() -> impl Iterator<Item = Key> {
-    Field::ALL.into_iter().filter(|&field| field != Field::Tilt).map(Key::from)
+    // The focal length is in both.
+    let is_unknown = |field: &Field| Method::ALL.into_iter().flat_map(Method::unknowns).any(|one| one == *field);
+    Field::ALL.into_iter().filter(is_unknown).map(Key::from)
 }
 
 /// The options of `keys` for the values, then those for their σ.

@@ -233,7 +233,13 @@ fn what_is_wrong_is_said_at_the_field_and_once_among_the_results() {
     assert_eq!(count(&program, zero), 2, "{}", program.text());
     program.type_into(D, "50");
     program.type_into("Distance (D)", "-1");
-    assert_eq!(count(&program, "is not a distance"), 1, "{}", program.text());
+    assert_eq!(count(&program, "The distance cannot be negative"), 2, "{}", program.text());
+    // What is missing is said where the result would be, and at the field once somebody asks.
+    program.type_into("Distance (D)", "");
+    assert_eq!(count(&program, "The distance is missing"), 1, "{}", program.text());
+    program.press("Calculate Distance");
+    assert_eq!(program.focused(), "Distance (D)");
+    assert_eq!(count(&program, "The distance is missing"), 2, "{}", program.text());
 }
 
 /// What sums up the results says which of them it is, and that they disagree.

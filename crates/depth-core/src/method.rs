@@ -57,4 +57,18 @@ impl Method {
             Self::Monocular => Field::Tilt,
         }
     }
+
+    /// What its equation can be solved for besides the distance, in reading order. A tilt is not among it: a width hardly depends
+    /// on a small one.
+    ///
+    /// ```
+    /// use depth_core::problem::{Field, Method};
+    ///
+    /// assert_eq!(Method::Stereo.unknowns().count(), 4);
+    /// assert_eq!(Method::Monocular.unknowns().last(), Some(Field::RealWidth));
+    /// ```
+    pub fn unknowns(self) -> impl Iterator<Item = Field> {
+        let doffs = Some(self.optional_field()).filter(|&field| field != Field::Tilt);
+        self.fields().into_iter().chain(doffs)
+    }
 }

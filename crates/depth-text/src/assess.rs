@@ -129,7 +129,7 @@ fn refused_instead(issue: Issue, notes: &[Note]) -> Issue {
     let Issue::MissingForUnknown { key: missing } = issue else {
         return issue;
     };
-    let at = |note: &&Note| (note.key, note.part, note.severity) == (missing, Part::Value, Severity::Error);
+    let at = |note: &&Note| (note.key, note.severity) == (missing, Severity::Error);
     notes.iter().find(at).map_or(issue, |note| note.issue.clone())
 }
 
@@ -140,16 +140,17 @@ impl Inputs {
         let mut readings = self.read_fields(&mut notes);
         let mut problem = self.read_problem(&mut readings, &mut notes);
         let unknown = self.unknown.map(|(method, field)| {
-            let distance = self.read_distance();
-            let known = distance.as_ref().ok().copied();
-            let outcome = problem::solve_for(method, field, &problem, || distance);
-            // What was refused is not missing.
-            let outcome = outcome.map_err(|issue| refused_instead(issue, &notes));
+            let distance = self.read_distance(&mut readings, &mut notes);
+            let outcome = problem::solve_for(method, field, &problem, distance);
+            if let Err(Issue::SigmaOutOfProportion { key }) = outcome {
+                notes.push(Note::of_sigma(key, Issue::SigmaOutOfProportion { key }));
+            }
             Unknown {
                 method,
                 field,
-                outcome,
-                distance: known,
+                // What was refused is not missing.
+                outcome: outcome.map_err(|issue| refused_instead(issue, &notes)),
+                distance,
             }
         });
         if let Some(Unknown {
@@ -240,27 +241,39 @@ impl Inputs {
         readings
     }
 
-    /// D with its σ, m, or what is wrong with it.
-    fn read_distance(&self) -> Result<Measured<Length>, Issue> {
+    /// D with its σ, m; `None` where nothing was typed or what was is noted.
+    fn read_distance(&self, readings: &mut Vec<Reading>, notes: &mut Vec<Note>) -> Option<Measured<Length>> {
         let key = fields::DISTANCE;
         let entry = self.entry(key);
-        let text = || entry.text.clone();
         let reading = match reading::read(key, entry) {
-            Ok(Some(reading)) => reading,
-            Ok(None) => return Err(Issue::MissingDistance),
-            Err(note) if matches!(note.issue, Issue::PixelsForLength { .. }) => return Err(Issue::DistanceInPixels),
-            Err(note) if matches!(note.issue, Issue::NotANumber { .. }) => return Err(Issue::NotADistance { text: text() }),
-            Err(note) => return Err(note.issue),
+            Ok(reading) => reading?,
+            Err(note) => {
+                notes.push(note);
+                return None;
+            }
         };
-        if judge::positive(reading.value).is_err() {
-            return Err(Issue::NotADistance { text: text() });
+        if let Err(refusal) = judge::positive(reading.value) {
+            notes.push(problem::refused(key, entry, refusal, Some(&reading), self.offset()));
+            readings.push(reading);
+            return None;
         }
         let sigma = if self.counts_sigma(key) {
-            reading::read_sigma(key, entry, reading.unit, Some(reading.value)).map_err(|note| note.issue)?
+            reading::read_sigma(key, entry, reading.unit, Some(reading.value))
         } else {
-            None
+            Ok(None)
         };
-        Ok(problem::distance(&Reading { sigma, ..reading }))
+        let distance = match sigma {
+            Ok(sigma) => Some(Measured::<Length>::from_base(reading.value, sigma.unwrap_or(0.0))),
+            Err(note) => {
+                notes.push(note);
+                None
+            }
+        };
+        readings.push(Reading {
+            sigma: distance.map(|distance| distance.sigma.m()).filter(|sigma| *sigma > 0.0),
+            ..reading
+        });
+        distance
     }
 
     /// Adds what a complete but useless method has to say, and what a σ out of all proportion is.
@@ -301,6 +314,10 @@ impl Inputs {
             } else {
                 Note::error(fields::BASELINE, Issue::MissingMethod)
             });
+        }
+        if self.unknown.is_some() && self.entry(fields::DISTANCE).is_blank() {
+            let key = fields::DISTANCE;
+            missing.push(Note::error(key, Issue::MissingForUnknown { key }));
         }
         missing.sort_by_key(|note| note.key);
         missing

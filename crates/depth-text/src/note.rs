@@ -4,7 +4,6 @@
 
 use crate::entry::Entry;
 use crate::field::Key;
-use crate::fields::DISTANCE;
 use crate::number::with_minus;
 use crate::unit::Unit;
 use crate::variants::variants;
@@ -89,44 +88,6 @@ impl Issue {
     /// Whether it asks for the size of the squares of a board.
     pub const fn is_size_of_squares(&self) -> bool {
         matches!(self, Self::SizeOfSquares { .. })
-    }
-
-    /// The part of the field that it is about.
-    pub const fn part(&self) -> Part {
-        match self {
-            Self::TwoSigmas { .. }
-            | Self::SigmaTwoReadings { .. }
-            | Self::SigmaUnknownUnit { .. }
-            | Self::SigmaWrongUnit { .. }
-            | Self::SigmaUnitAndPercent { .. }
-            | Self::SigmaPercentOfZero { .. }
-            | Self::SigmaNotANumber { .. }
-            | Self::SigmaNegative { .. }
-            | Self::SigmaTooLarge { .. }
-            | Self::SigmaOutOfProportion { .. } => Part::Sigma,
-            _ => Part::Value,
-        }
-    }
-
-    /// Whether it is about what was typed for the distance, where something else is solved for.
-    pub fn is_about_distance(&self) -> bool {
-        let is_about_value = matches!(
-            self,
-            Self::NotADistance { .. }
-                | Self::DistanceInPixels
-                | Self::MissingDistance
-                | Self::SeveralSeparators { .. }
-                | Self::UnusualSeparators { .. }
-                | Self::TwoReadings { .. }
-                | Self::UnknownUnit { .. }
-                | Self::SizeOfSquares { .. }
-                | Self::TooExtreme { .. }
-        );
-        match self {
-            // Of all σ only that of the distance has no note of its own.
-            Self::SigmaOutOfProportion { key } => *key == DISTANCE,
-            _ => is_about_value || matches!(self.part(), Part::Sigma),
-        }
     }
 }
 
@@ -242,12 +203,6 @@ variants! {
         MissingMethod,
         /// What the equation to be solved needs.
         MissingForUnknown { key: Key },
-        /// The distance, where something else is solved for.
-        MissingDistance,
-        /// A distance that is no length above zero.
-        NotADistance { text: String },
-        /// A distance in pixels.
-        DistanceInPixels,
         /// The equation has no solution that can be represented.
         NoSolution,
 

@@ -54,7 +54,10 @@ pub(crate) fn judge(problem: &mut Problem, key: Key, entry: &Entry, reading: Opt
 
 /// Makes the methods that need an optional field useless where it cannot be read: without it they would be plausible and wrong.
 pub(crate) fn spoil(problem: &mut Problem, key: Key) {
-    if let Some(field) = key.input.filter(|field| matches!(field, Field::Doffs | Field::Tilt)) {
+    if let Some(field) = key
+        .input
+        .filter(|&field| Method::ALL.iter().any(|method| method.optional_field() == field))
+    {
         problem.set(field, Some(f64::NAN));
     }
 }
@@ -82,18 +85,18 @@ pub(crate) fn refusals(solution: &Solution) -> impl Iterator<Item = (Key, Refusa
     })
 }
 
-/// Solves the equation of `method` for `field`. The distance is asked for only when nothing else is missing.
+/// Solves the equation of `method` for `field`. The distance is missed only when nothing else is.
 pub(crate) fn solve_for(
     method: Method,
     field: Field,
     problem: &Problem,
-    distance: impl FnOnce() -> Result<Measured<Length>, Issue>,
+    distance: Option<Measured<Length>>,
 ) -> Result<Measured<f64>, Issue> {
     let needed = method.fields().into_iter();
     if let Some(lacking) = needed.into_iter().find(|&other| other != field && problem.get(other).is_none()) {
         return Err(Issue::MissingForUnknown { key: lacking.into() });
     }
-    let distance = distance()?;
+    let distance = distance.ok_or(Issue::MissingForUnknown { key: fields::DISTANCE })?;
     let solved = match method {
         Method::Stereo => StereoEquation {
             focal_length: problem.focal_length.filter(|_| field != Field::FocalLength),
@@ -165,11 +168,6 @@ pub(crate) fn forget_echo(solution: &mut Solution, method: Method, given: Measur
         Method::Stereo => Comparison::of_independent(given, computed),
         Method::Monocular => Comparison::of_independent(computed, given),
     });
-}
-
-/// The distance and its σ.
-pub(crate) fn distance(reading: &Reading) -> Measured<Length> {
-    Measured::from_base(reading.value, reading.sigma.unwrap_or(0.0))
 }
 
 /// The note on a value that cannot be used.

@@ -23,7 +23,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
         theme::card(theme::palette(ui)).show(ui, |ui| {
             ui.set_width(ui.available_width());
             ui.spacing_mut().item_spacing.y = theme::STEP;
-            unknown::ui(ui, cx);
+            unknown::ui(ui, cx, marked);
             fields_ui(ui, cx, marked);
             part_ui(ui, Part::Buttons, |ui| {
                 buttons_ui(ui, cx);

@@ -152,8 +152,7 @@ fn solved_ui(ui: &mut Ui, unknown: &Unknown, unit: LengthUnit) {
         (_, Some([value, unit])) => number_ui(ui, &value, &unit, name),
         (outcome, None) => {
             number_ui(ui, NO_NUMBER, "", name);
-            // What is wrong with the distance is said at its field.
-            if let Some(issue) = outcome.as_ref().err().filter(|issue| !issue.is_about_distance()) {
+            if let Err(issue) = outcome {
                 text::caption_ui(ui, issue.to_string());
             }
         }

@@ -12,7 +12,6 @@ use depth_text::assess::Unknown;
 use depth_text::field::Key;
 use depth_text::fields;
 use depth_text::names::Named as _;
-use depth_text::note::Note;
 use depth_text::number::NO_NUMBER;
 use depth_text::report;
 use depth_text::style::Style;
@@ -21,22 +20,13 @@ use egui::{ComboBox, RichText, Sense, Ui, vec2};
 /// What is offered first.
 pub const FIRST: (Method, Field) = (Method::Stereo, Field::Disparity);
 
-const CHOICES: [(Method, Field); 7] = [
-    (Method::Stereo, Field::FocalLength),
-    (Method::Stereo, Field::Baseline),
-    FIRST,
-    (Method::Stereo, Field::Doffs),
-    (Method::Monocular, Field::FocalLength),
-    (Method::Monocular, Field::ImageWidth),
-    (Method::Monocular, Field::RealWidth),
-];
-
 fn name((method, field): (Method, Field)) -> String {
     format!("{}: {}", method.name(), Key::from(field).name)
 }
 
-/// Draws the choice and the distance, where something else than the distance is solved for.
-pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+/// Draws the choice and the distance, where something else than the distance is solved for. With `marked`, that it is missing is said
+/// there too.
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
     let (inputs, assessment) = cx.session.parts();
     let Some(before) = inputs.unknown else { return };
     let mut chosen = Some(before);
@@ -45,7 +35,10 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
         .width(ui.available_width())
         .selected_text(name(before))
         .show_ui(ui, |ui| {
-            let choices = CHOICES.map(|choice| (Some(choice), name(choice)));
+            let all = Method::ALL
+                .into_iter()
+                .flat_map(|method| method.unknowns().map(move |field| (method, field)));
+            let choices = all.map(|choice| (Some(choice), name(choice)));
             for (choice, name) in std::iter::once((None, "Distance (D)".to_owned())).chain(choices) {
                 if ui.selectable_value(&mut chosen, choice, name).clicked() {
                     ui.close();
@@ -60,28 +53,24 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     }
     ui.add_space(theme::STEP);
     let with_sigma = inputs.with_uncertainty;
-    let note = assessment.unknown.as_ref().and_then(distance_note);
+    let key = fields::DISTANCE;
+    let missing = assessment.missing.iter().find(|note| marked && note.key == key);
+    let value_note = assessment.note(key).or(missing);
     let field = FieldWidget {
-        key: fields::DISTANCE,
-        reading: None,
-        notes: note.iter().collect(),
+        key,
+        reading: assessment.reading(key),
+        notes: value_note.into_iter().chain(assessment.sigma_note(key)).collect(),
         with_sigma,
         helper: None,
-        id: field::id(fields::DISTANCE),
+        id: field::id(key),
         submits: true,
-        entry: inputs.entry_mut(fields::DISTANCE),
+        entry: inputs.entry_mut(key),
     };
     let sigma_before = field.entry.sigma.clone();
     field.ui(ui, cx.commands);
     // As in the other fields of the form.
-    inputs.with_uncertainty |= inputs.sigma(fields::DISTANCE) != sigma_before;
+    inputs.with_uncertainty |= inputs.sigma(key) != sigma_before;
     ui.add_space(2.0 * theme::STEP);
-}
-
-/// What is wrong with the distance, said at its field; what else is lacking is said on the card of the result.
-fn distance_note(unknown: &Unknown) -> Option<Note> {
-    let issue = unknown.outcome.as_ref().err()?;
-    issue.is_about_distance().then(|| Note::error(fields::DISTANCE, issue.clone()))
 }
 
 /// What was solved for, in place of its field; a dash where something is lacking.

@@ -15,7 +15,6 @@ use crate::report::{
 };
 use crate::sentences::{Statement, capital, needs, quoted};
 use crate::style::Style;
-use crate::unit::Unit;
 use depth_core::problem::{Method, Solution};
 use depth_core::quantity::LengthUnit;
 use std::convert::Infallible;
@@ -70,8 +69,6 @@ fn input(inputs: &Inputs, assessment: &Assessment, key: Key) -> String {
     let mut value = match assessment.reading(key) {
         Some(reading) if !error(Part::Value) => reading.text(),
         _ if entry.is_blank() => "not given".to_owned(),
-        // The distance is read apart from the form; what is wrong with it stands in place of the result.
-        _ if key == DISTANCE => format!("{} {}", entry.text.trim(), entry.chosen_unit(key).map_or("", Unit::symbol)),
         _ => format!("{} (not usable)", quoted(&entry.text)),
     };
     let sigma = entry.sigma_text();
@@ -91,8 +88,10 @@ fn solved_for(assessment: &Assessment, unit: LengthUnit) -> Option<String> {
     let value = match (&solved.outcome, unknown(STYLE, solved, unit)) {
         (_, Some(value)) => value,
         (Ok(_), None) => return None,
-        (Err(_), None) if assessment.refusal(solved.method).is_some() => refused(assessment, solved.method)?,
-        (Err(issue), None) => issue.to_string(),
+        (Err(issue), None) => match assessment.notes.iter().find(|note| note.issue == *issue) {
+            Some(note) => Statement::SeeNote { key: note.key }.to_string(),
+            None => issue.to_string(),
+        },
     };
     Some(format!("{name} of the {} distance: {value}", solved.method.name().to_lowercase()))
 }

@@ -15,8 +15,6 @@ use std::fmt::{self, Display, Formatter};
 
 const NO_MATCH: &str = "is how OpenCV’s matchers mark a pixel without a match: (minDisparity − 1) · 16, or that divided by 16.";
 
-const DISTANCE_EXAMPLE: &str = "Type a distance above zero, such as 1.4 m.";
-
 impl Display for Issue {
     #[expect(clippy::too_many_lines, reason = "an arm is a sentence, and the compiler asks for each")]
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
@@ -144,10 +142,7 @@ impl Display for Issue {
             ),
             Self::MissingFocalLength => f.write_str("Start with the focal length in pixels, such as 700."),
             Self::MissingMethod => f.write_str("Add a baseline and a disparity for two cameras, or the two widths for one camera."),
-            Self::MissingForUnknown { key } => write!(f, "{} is missing.", capital(key.noun)),
-            Self::MissingDistance => write!(f, "The distance (D) is missing. {DISTANCE_EXAMPLE}"),
-            Self::NotADistance { text } => write!(f, "{} is not a distance. {DISTANCE_EXAMPLE}", quoted(text)),
-            Self::DistanceInPixels => write!(f, "A distance is not a number of pixels. {DISTANCE_EXAMPLE}"),
+            Self::MissingForUnknown { key } => write!(f, "{} is missing. {}", capital(key.noun), what_to_type(*key)),
             Self::NoSolution => f.write_str("With these numbers there is no answer that a computer can represent."),
             // Range, tilt and ground plane, and the ways to a focal length and a disparity.
             Self::TiltTooLarge => f.write_str("A target tilted by 90° or more shows no width. Type an angle below 90°."),
