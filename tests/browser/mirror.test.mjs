@@ -273,7 +273,7 @@ it('the fields hold what the program computes with, the table what it computes',
   const row = (name) => rows.find(([first, , unit]) => first === name && unit !== undefined);
   assert.deepEqual(row('Focal length (fx)')?.slice(0, 3), ['Focal length (fx)', '700', 'pixels']);
   assert.deepEqual(row('Disparity (d)')?.slice(0, 3), ['Disparity (d)', '50', 'pixels']);
-  assert.match(row('Distance (stereo)')?.[1] ?? '', /^1\.400/);
+  assert.match(row('Object distance (D, stereo)')?.[1] ?? '', /^1\.400/);
 
   // What a field shows, what is stored, and what the next start shows is the same.
   const stored = JSON.parse(await until('the storage', () => page.stored()));
