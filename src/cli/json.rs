@@ -12,13 +12,17 @@ use depth_text::assess::{Assessment, Unknown};
 use depth_text::export::{Exporter, Results};
 use depth_text::field::Key;
 use depth_text::geometry::PointOrigin;
-use depth_text::note::Part;
+use depth_text::note::{Part, Severity};
 use depth_text::sentences::Statement;
+use depth_text::unit::Unit;
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// Lengths in meters; null for what is unknown or unbounded.
 #[derive(Serialize)]
 struct Answer<'a> {
+    /// What was read, by the name of its option.
+    inputs: BTreeMap<String, Input>,
     stereo: Option<Distance>,
     monocular: Option<Distance>,
     combined: Option<Combined>,
@@ -28,6 +32,14 @@ struct Answer<'a> {
     estimated_width_px: Option<f64>,
     estimated_width_m: Option<f64>,
     warnings: &'a [Warning],
+}
+
+/// A value with its σ in the base unit: px, m or rad.
+#[derive(Serialize)]
+struct Input {
+    value: f64,
+    unit: Option<&'static str>,
+    sigma: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -83,6 +95,7 @@ impl Exporter for Json<'_> {
     fn export(&self, &Results { assessment, .. }: &Results<'_>) -> Result<String, serde_json::Error> {
         let solution = &assessment.solution;
         let answer = Answer {
+            inputs: inputs(assessment),
             stereo: distance(solution, Method::Stereo),
             monocular: distance(solution, Method::Monocular),
             combined: solution.combined.map(|combined| Combined {
@@ -98,6 +111,24 @@ impl Exporter for Json<'_> {
         };
         Ok(serde_json::to_string_pretty(&answer)? + "\n")
     }
+}
+
+/// Every field that was read and is used, whichever it is.
+fn inputs(assessment: &Assessment) -> BTreeMap<String, Input> {
+    let is_refused = |key| assessment.note(key).is_some_and(|note| note.severity == Severity::Error);
+    let used = assessment
+        .readings
+        .iter()
+        .filter(|reading| !is_refused(reading.key) && !assessment.is_solved_for(reading.key));
+    let inputs = used.map(|reading| {
+        let input = Input {
+            value: reading.value,
+            unit: reading.key.kind.base_unit().map(Unit::symbol),
+            sigma: reading.sigma.filter(|&sigma| sigma > 0.0),
+        };
+        (name(reading.key, Part::Value), input)
+    });
+    inputs.collect()
 }
 
 fn distance(solution: &Solution, method: Method) -> Option<Distance> {

@@ -129,6 +129,10 @@ impl Typed {
                 Part::Sigma => entries.entry_mut(*key).sigma.clone_from(text),
             }
         }
+        // An option of its own says more than what stands behind a value.
+        for (key, _, _) in self.typed.iter().filter(|(_, part, _)| *part == Part::Sigma) {
+            entries.entry_mut(*key).drop_sigma_behind();
+        }
         entries
     }
 

@@ -112,6 +112,28 @@ fn every_field_is_everywhere(inputs: &Inputs, left_out: Key) {
     }
 }
 
+/// What a program reads has every field that was given, by the name of its option and in its base unit.
+#[test]
+fn every_field_of_calculate_is_in_its_json() {
+    let keys = || Key::form().filter(|key| key.section != Some(Section::Ground));
+    let mut arguments = vec!["calculate".to_owned(), "--json".to_owned()];
+    for key in keys() {
+        let option = key.option.unwrap().name;
+        arguments.push(format!("--{option}={}", some_number(key)));
+        arguments.extend(key.has_sigma.then(|| format!("--sigma-{option}=1 %")));
+    }
+    let output = run_words(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
+    let answer: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    for key in keys() {
+        let input = &answer["inputs"][key.option.unwrap().name];
+        let number: f64 = some_number(key).parse().unwrap();
+        let value = key.kind.default_unit().map_or(number, |unit| unit.to_base(number));
+        assert!(close(input["value"].as_f64().unwrap(), value), "{key:?}: {input}");
+        assert_eq!(input["unit"].as_str(), key.kind.base_unit().map(Unit::symbol), "{key:?}");
+        assert_eq!(input["sigma"].is_number(), key.has_sigma, "{key:?}: {input}");
+    }
+}
+
 #[test]
 fn every_field_of_the_form_has_its_options_with_their_help_completion_and_manual() {
     let text = |arguments: &str| String::from_utf8(run(arguments).stdout).unwrap();

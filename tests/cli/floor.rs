@@ -28,6 +28,17 @@ fn the_floor_in_every_unit() {
     let both = ground(&["--pitch", "10", "--angle", "5", "--height", "1.2 m ± 2 cm"]);
     let apart = ground(&["--pitch", "10", "--angle", "5", "--height", "1.2", "--sigma-height", "2 cm"]);
     assert_eq!(both, apart);
+    let explicit = ground(&[
+        "--pitch",
+        "10",
+        "--angle",
+        "5",
+        "--height",
+        "1.2 m ± 5 cm",
+        "--sigma-height",
+        "2 cm",
+    ]);
+    assert_eq!(explicit, apart);
     let uncertain = |option: &str, sigma: &str| {
         let camera = ["--fx", "700", "--cy", "360", "--pitch", "10", "--row", "500", "--height", "1.2"];
         ground(&[&camera[..], &[option, sigma]].concat())["sigma_m"].clone()

@@ -72,12 +72,18 @@ impl Entry {
         self.parts().map_or(Cow::Borrowed(&self.text), |(value, _)| Cow::Owned(value))
     }
 
-    /// The σ as typed, without the sign in front of it: in its own field or behind the value.
+    /// The σ as typed, without the sign in front of it: behind the value, as that was typed last, or in its own field.
     pub fn sigma_text(&self) -> Cow<'_, str> {
-        let own = self.sigma.trim().trim_start_matches('±').trim();
         match self.parts() {
-            Some((_, sigma)) if own.is_empty() => Cow::Owned(sigma),
-            _ => Cow::Borrowed(own),
+            Some((_, sigma)) if !sigma.is_empty() => Cow::Owned(sigma),
+            _ => Cow::Borrowed(self.sigma.trim().trim_start_matches('±').trim()),
+        }
+    }
+
+    /// Leaves out a σ behind the value: that in its own field holds.
+    pub fn drop_sigma_behind(&mut self) {
+        if let Some((value, _)) = self.parts() {
+            self.text = value;
         }
     }
 
@@ -91,9 +97,11 @@ impl Entry {
 
     /// Moves a unit typed behind the number into the choice beside it, and a σ into its field. What cannot be read is left as it is.
     pub fn tidy(&mut self, key: Key) {
-        if let Some((value, sigma)) = self.parts().filter(|_| key.has_sigma && self.sigma.trim().is_empty()) {
+        if let Some((value, sigma)) = self.parts().filter(|_| key.has_sigma) {
             self.text = value;
-            self.sigma = sigma;
+            if !sigma.is_empty() {
+                self.sigma = sigma;
+            }
         }
         let Ok(typed) = number::read(&self.text) else { return };
         match typed.unit.filter(|&unit| key.kind.reads(unit)) {

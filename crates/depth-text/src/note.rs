@@ -172,8 +172,6 @@ variants! {
         /// A field of view in degrees that would be usual in radians.
         DegreesOrRadians { number: String },
 
-        /// A σ in the field and another one behind the value.
-        TwoSigmas { one: String, other: String },
         /// A σ where the value is taken to be exact.
         NoSigma { key: Key },
         /// A σ that could mean more than one number.

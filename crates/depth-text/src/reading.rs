@@ -118,11 +118,6 @@ pub fn read_sigma(key: Key, entry: &Entry, unit: Option<Unit>, value: Option<f64
     }
     let quote = || text.to_owned();
     let wrong = |issue: Issue| Err(Note::of_sigma(key, issue));
-    if let Some((_, other)) = entry.parts()
-        && !entry.sigma.trim().is_empty()
-    {
-        return wrong(Issue::TwoSigmas { one: quote(), other });
-    }
     let (number_text, percent) = text.strip_suffix('%').map_or((text, false), |number| (number, true));
     let typed = match number::read(number_text) {
         Ok(typed) => typed,

@@ -5,7 +5,7 @@ use super::card::Card;
 use crate::app::context::AppContext;
 use crate::app::sentences::Hint;
 use crate::app::theme;
-use crate::app::widgets::cards::{self, Row};
+use crate::app::widgets::cards;
 use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::text;
 use depth_text::field::Section;
@@ -16,21 +16,21 @@ use egui::Ui;
 /// Draws the three cards.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let (columns, gap) = (cx.layout.columns(), cx.layout.gap());
-    for row in [Card::Range, Card::Tilt, Card::Ground].chunks(columns) {
-        cards::row_ui(ui, row, gap, |ui, card, row| card_ui(ui, cx, card, row));
+    let all: [(Card, Contents); 3] = [(Card::Range, range_ui), (Card::Tilt, tilt_ui), (Card::Ground, ground_ui)];
+    for row in all.map(|(card, _)| card).chunks(columns) {
+        cards::row_ui(ui, row, gap, |ui, card, row| {
+            cards::card_ui(ui, card, card.title(), |ui| {
+                for (_, contents_ui) in all.iter().filter(|(one, _)| *one == card) {
+                    contents_ui(ui, cx);
+                }
+                cards::fill_height_ui(ui, row);
+            });
+        });
     }
 }
 
-fn card_ui(ui: &mut Ui, cx: &mut AppContext<'_>, card: Card, row: Row) {
-    cards::card_ui(ui, card, card.title(), |ui| {
-        match card {
-            Card::Range => range_ui(ui, cx),
-            Card::Tilt => tilt_ui(ui, cx),
-            _ => ground_ui(ui, cx),
-        }
-        cards::fill_height_ui(ui, row);
-    });
-}
+/// Draws what is in a card.
+type Contents = fn(&mut Ui, &mut AppContext<'_>);
 
 fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     fields_ui(ui, cx, Section::Point);

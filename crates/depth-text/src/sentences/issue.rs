@@ -100,12 +100,6 @@ impl Display for Issue {
                 better.symbol()
             ),
             // The σ of a field.
-            Self::TwoSigmas { one, other } => write!(
-                f,
-                "There are two uncertainties, {} and {}. Delete one of them.",
-                quoted(one),
-                quoted(other)
-            ),
             Self::NoSigma { key } => write!(f, "There is no uncertainty of {} here: it is taken to be exact. Type it without ±.", key.noun),
             Self::SigmaTwoReadings { key, text } => sigma(f, *key, text, "could mean more than one number."),
             Self::SigmaUnknownUnit { key, text } => sigma(f, *key, text, "has a unit that is not known here."),
