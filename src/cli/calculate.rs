@@ -6,7 +6,7 @@ use super::reply::Reply;
 use super::text::Text;
 use super::warning::Warning;
 use crate::core::problem::{Field, Method, Outcome};
-use depth_text::assess::Assessment;
+use depth_text::assess::{Assessment, Unknown};
 use depth_text::export::{Exporter as _, Results};
 use depth_text::field::{Key, Section};
 use depth_text::fields;
@@ -61,8 +61,10 @@ impl Calculate {
         {
             return Err(Warning::of(note).to_string());
         }
-        if let Some(Err(issue)) = assessment.unknown.as_ref().map(|unknown| &unknown.outcome) {
-            return Err(self.why_not_solved(issue));
+        if let Some(unknown) = &assessment.unknown
+            && let Err(issue) = &unknown.outcome
+        {
+            return Err(self.why_not_solved(unknown, issue));
         }
         if !answered {
             return Err(self.what_is_missing().to_string());
@@ -95,16 +97,29 @@ impl Calculate {
         let unused: Vec<Warning> = unused.into_iter().filter(is_new).collect();
         warnings.extend(unused);
         if assessment.solution.comparison.is_some_and(|comparison| comparison.contradict()) {
-            warnings.extend(Statement::comparison(&assessment.solution).map(|statement| Warning::of_results(&statement)));
+            warnings.extend(Statement::comparison(assessment).map(|statement| Warning::of_results(&statement)));
         }
         warnings
     }
 
     /// Why what is asked for by `--solve-for` cannot be had, with the option to look at.
-    fn why_not_solved(&self, issue: &Issue) -> String {
+    fn why_not_solved(&self, unknown: &Unknown, issue: &Issue) -> String {
         match issue {
             Issue::MissingForUnknown { key } if *key == fields::DISTANCE => Warning::new(*key, Part::Value, issue).to_string(),
-            Issue::MissingForUnknown { .. } => self.what_is_missing().to_string(),
+            Issue::MissingForUnknown { .. } => {
+                let needed = unknown
+                    .method
+                    .fields()
+                    .into_iter()
+                    .filter(|&field| field != unknown.field)
+                    .map(Key::from);
+                let missing = needed.filter(|&key| !self.is_given(key, Part::Value));
+                CommandLine::NotSolved {
+                    unknown: Key::from(unknown.field),
+                    options: missing.map(|key| name(key, Part::Value)).collect(),
+                }
+                .to_string()
+            }
             _ => issue.to_string(),
         }
     }

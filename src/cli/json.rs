@@ -6,7 +6,7 @@ use super::warning::Warning;
 use crate::core::agreement::Verdict;
 use crate::core::camera::PointSolution;
 use crate::core::measured::Measured;
-use crate::core::problem::{Method, Origin, Solution};
+use crate::core::problem::{Method, Origin};
 use crate::core::quantity::{Length, Pixels, Quantity};
 use depth_text::assess::{Assessment, Unknown};
 use depth_text::export::{Exporter, Results};
@@ -96,8 +96,8 @@ impl Exporter for Json<'_> {
         let solution = &assessment.solution;
         let answer = Answer {
             inputs: inputs(assessment),
-            stereo: distance(solution, Method::Stereo),
-            monocular: distance(solution, Method::Monocular),
+            stereo: distance(assessment, Method::Stereo),
+            monocular: distance(assessment, Method::Monocular),
             combined: solution.combined.map(|combined| Combined {
                 distance_m: combined.value.m(),
                 sigma_m: combined.sigma.m(),
@@ -131,11 +131,12 @@ fn inputs(assessment: &Assessment) -> BTreeMap<String, Input> {
     inputs.collect()
 }
 
-fn distance(solution: &Solution, method: Method) -> Option<Distance> {
-    let uncertainty = solution.uncertainty(method);
+/// The distance that was computed by `method`; one that was given is an input.
+fn distance(assessment: &Assessment, method: Method) -> Option<Distance> {
+    let uncertainty = assessment.solution.uncertainty(method);
     let interval = uncertainty.map(|uncertainty| uncertainty.interval);
     Some(Distance {
-        distance_m: solution.outcome(method).distance()?.m(),
+        distance_m: assessment.distance(method)?.m(),
         sigma_m: uncertainty.map(|uncertainty| uncertainty.sigma.m()),
         near_m: interval.map(|interval| interval.near.m()),
         far_m: interval.and_then(|interval| interval.far).map(Length::m),

@@ -138,7 +138,9 @@ impl Typed {
 
     /// Refuses an empty value: it is a variable of a script that was not set, not an input that was left out.
     pub(super) fn refuse_empty(&self) -> Result<(), String> {
-        let empty = |(_, _, text): &&(Key, Part, String)| text.trim().is_empty();
+        // So is a σ that was begun behind the value.
+        let is_begun = |text: &str| ["±", "+/-", "+-"].iter().any(|sign| text.ends_with(sign));
+        let empty = |(_, _, text): &&(Key, Part, String)| text.trim().is_empty() || is_begun(text.trim());
         // Field by field, as they are asked for.
         match self.typed.iter().filter(empty).min_by_key(|(key, part, _)| (*key, *part)) {
             Some((key, part, _)) => Err(CommandLine::EmptyOption { option: name(*key, *part) }.to_string()),

@@ -1,7 +1,7 @@
 //! The answer for people, and for `head -1`: each distance starts its line with the number, the one to use first.
 
 use super::ascii::in_sentence;
-use crate::core::problem::{Method, Solution};
+use crate::core::problem::Method;
 use crate::core::quantity::LengthUnit;
 use depth_text::assess::{Assessment, Unknown};
 use depth_text::export::{Exporter, Results};
@@ -38,7 +38,7 @@ impl Exporter for Text {
         if combined.is_none() {
             lines.extend(indented(agreement(assessment)));
         }
-        lines.extend(widths(solution, unit));
+        lines.extend(widths(assessment, unit));
         if let Some((origin, point)) = &assessment.geometry.point {
             let depth = STYLE.measured(point.z, unit);
             let point = report::point(STYLE, point, unit).map(|(name, value)| format!("{name}: {value}"));
@@ -91,7 +91,8 @@ fn of_method(assessment: &Assessment, method: Method, unit: LengthUnit) -> Optio
 }
 
 /// What the stereo distance predicts from one width for the other. The monocular distance would only repeat both.
-fn widths(solution: &Solution, unit: LengthUnit) -> Vec<String> {
+fn widths(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
+    let solution = &assessment.solution;
     let mut lines = Vec::new();
     if solution.stereo.distance().is_none() {
         return lines;
@@ -103,7 +104,7 @@ fn widths(solution: &Solution, unit: LengthUnit) -> Vec<String> {
         lines.push(format!("{PREDICTED_WIDTH_M}: {}", STYLE.length(Some(width), unit)));
     }
     if solution.width_discrepancy().is_some() {
-        lines.push(format!("  {}", Statement::widths(solution)));
+        lines.push(format!("  {}", Statement::widths(assessment)));
     }
     lines
 }

@@ -144,3 +144,11 @@ fn a_command_that_there_is_not_is_refused_with_those_that_there_are() {
     assert!(refused("frobnicate").contains("the commands are calculate, ground, q, completions, man (see --help)"));
     assert!(refused("calculates").contains("the commands are calculate, ground, q, completions, man (see --help)"));
 }
+
+/// A variable of a script that was not set, behind the sign.
+#[test]
+fn a_sigma_that_was_begun_and_left_empty_is_refused() {
+    let output = run_words(&["calculate", "--fx", "700", "--baseline", "100", "--disparity", "50 ±"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8(output.stderr).unwrap().contains("--disparity"));
+}

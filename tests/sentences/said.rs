@@ -2,6 +2,7 @@
 
 use crate::case::{Case, cases};
 use depth_calculator::core::problem::Method;
+use depth_text::field::Key;
 use depth_text::note::{Issue, Note, Part, Severity};
 use depth_text::q_matrix;
 use depth_text::sentences::{CommandLine, Statement};
@@ -76,7 +77,7 @@ impl Said {
         }
         if case.how == "results" {
             let solution = &assessment.solution;
-            if let Some(statement) = Statement::comparison(solution) {
+            if let Some(statement) = Statement::comparison(&assessment) {
                 self.statement(&statement);
             }
             for suspect in &assessment.suspects() {
@@ -90,7 +91,7 @@ impl Said {
             for key in Method::ALL.iter().filter_map(|&method| Some(assessment.refusal(method)?.key)) {
                 self.statement(&Statement::SeeNote { key });
             }
-            self.statement(&Statement::widths(solution));
+            self.statement(&Statement::widths(&assessment));
             let is_poor = |method| {
                 solution
                     .uncertainty(method)
@@ -203,6 +204,10 @@ pub fn assert_complete(variants: &BTreeSet<String>, command_line: &str) {
         CommandLine::UnreadableFile {
             file: "/no/such/file".into(),
             reason: "No such file or directory".into(),
+        },
+        CommandLine::NotSolved {
+            unknown: Key::named("d").unwrap(),
+            options: vec!["baseline".into()],
         },
         CommandLine::FileTooLarge { file: "/dev/zero".into() },
         CommandLine::FileNotText {

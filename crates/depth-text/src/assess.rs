@@ -110,10 +110,11 @@ impl Assessment {
 /// degree or two makes no difference at all.
 fn in_radians(reading: &Reading) -> Option<Note> {
     let Reading { key, number, .. } = *reading;
-    let decimals = reading.number_text.split_once(['.', ',']).map_or(0, |(_, decimals)| decimals.len());
+    let decimals = reading.number_text.split_once(['.', ',']).map_or("", |(_, decimals)| decimals);
     let is_small = number != 0.0 && number.abs() < std::f64::consts::FRAC_PI_2;
     let is_bare_angle = reading.unit == Some(Unit::Degree) && !reading.unit_was_typed;
-    if !(is_bare_angle && is_small && decimals >= 3) {
+    let is_fine = decimals.len() >= 3 && decimals.bytes().all(|digit| digit.is_ascii_digit());
+    if !(is_bare_angle && is_small && is_fine) {
         return None;
     }
     let text = reading.number_text.clone();
@@ -174,7 +175,12 @@ impl Inputs {
         let usable: Vec<&Reading> = readings.iter().filter(is_usable).collect();
         let (geometry, more) = Geometry::new(&usable, &solution, given);
         notes.extend(more);
-        notes.extend(readings.iter().filter_map(in_radians));
+        let is_used = |reading: &&Reading| match reading.key.section {
+            Some(Section::Target) => solution.monocular.distance().is_some(),
+            Some(Section::Ground) => geometry.ground.is_some(),
+            _ => false,
+        };
+        notes.extend(readings.iter().filter(is_used).filter_map(in_radians));
         notes.sort_by_key(|note| (note.key, note.part));
         notes.dedup_by_key(|note| (note.key, note.part));
         Assessment {

@@ -51,11 +51,16 @@ impl Entry {
 
     /// Value and σ, where both were typed into the field: "50 ± 0.5 px", "1.2 m ± 2 cm", "(1.400 ± 0.016) m".
     pub(crate) fn parts(&self) -> Option<(String, String)> {
-        let (value, sigma) = self.text.split_once('±').or_else(|| self.text.split_once("+/-"))?;
+        let mut signs = ["±", "+/-", "+-"].into_iter();
+        let (value, sigma) = signs.find_map(|sign| self.text.split_once(sign))?;
         let (value, sigma) = (value.trim(), sigma.trim());
         let in_brackets = value.strip_prefix('(').zip(sigma.rsplit_once(')'));
         if let Some((value, (sigma, unit))) = in_brackets {
-            let with_unit = |number: &str| format!("{} {}", number.trim(), unit.trim()).trim_end().to_owned();
+            let with_unit = |number: &str| {
+                let number = number.trim();
+                let unit = if number.ends_with('%') { "" } else { unit.trim() };
+                format!("{number} {unit}").trim_end().to_owned()
+            };
             return Some((with_unit(value), with_unit(sigma)));
         }
         // A unit behind both is that of both.

@@ -48,7 +48,7 @@ impl Geometry {
         let point = point(&camera).map_err(|note| notes.push(note)).ok().flatten();
         notes.extend(point.and_then(|(origin, point)| contradiction(&camera, origin, &point)));
         notes.extend(ground.and_then(|ground| vague_ground(&camera, &ground)));
-        notes.extend(point.and_then(|_| vague_range(&camera)));
+        notes.extend(point.and_then(|(_, point)| vague_range(&camera, point.z)));
         let has_distance = solution.monocular.distance().is_some();
         let facing = solution.problem.distance_if_facing().filter(|_| has_distance);
         (Self { point, ground, facing }, notes)
@@ -144,18 +144,19 @@ fn point_note(camera: &Camera<'_>, origin: PointOrigin, error: Unsolvable) -> No
     refused(camera, key, error)
 }
 
-/// A warning where the σ of a range is so large that there is hardly a measurement.
-fn vague_range(camera: &Camera<'_>) -> Option<Note> {
+/// A warning where the σ of the depth of a range is so large that it says little, at the field that has most of it.
+fn vague_range(camera: &Camera<'_>, depth: Measured<Length>) -> Option<Note> {
     let range = camera.measured::<Length>(TAPED_RANGE)?;
-    let is_vague = range.relative() > LARGEST_SIGMA;
-    is_vague.then(|| Note::warning(TAPED_RANGE, Issue::VagueRange))
+    let is_of_range = range.relative() >= depth.relative() / 2.0_f64.sqrt();
+    let key = if is_of_range { TAPED_RANGE } else { FOCAL_LENGTH };
+    (depth.relative() > LARGEST_SIGMA).then(|| Note::warning(key, Issue::Vague { of: "depth" }))
 }
 
 /// A warning where the σ of a ground distance is so large that first order describes it poorly, at the field that has most of it.
 fn vague_ground(camera: &Camera<'_>, ground: &GroundSolution) -> Option<Note> {
     let is_vague = ground.distance.sigma.m() > LARGEST_SIGMA * ground.slant.value.m();
     let cause = ground.main_cause.filter(|_| is_vague)?;
-    Some(Note::warning(key_of(camera, cause), Issue::VagueGround))
+    Some(Note::warning(key_of(camera, cause), Issue::Vague { of: "ground distance" }))
 }
 
 /// The field that a term of the ground plane is typed into.
@@ -193,18 +194,23 @@ fn refused(camera: &Camera<'_>, key: Key, error: Unsolvable) -> Note {
 
 /// A warning where a range by tape and the distance that was computed cannot both be right.
 fn contradiction(camera: &Camera<'_>, origin: PointOrigin, point: &PointSolution) -> Option<Note> {
-    let best = camera.solution.best().filter(|_| origin == PointOrigin::Range)?.distance;
-    let range = camera.measured::<Length>(TAPED_RANGE)?;
-    // Both depths grow with the focal length, by f and by 1 − Z²/R² of it: what is left of it between them is Z²/R².
+    let range = camera.measured::<Length>(TAPED_RANGE).filter(|_| origin == PointOrigin::Range)?;
+    // Of the relative σ of the focal length the depth of a range has 1 − Z²/R². A computed distance, which grows with it, has all of
+    // it, so that Z²/R² is left between the two; one that was given has none.
     let slope = point.z.value.m() / range.value.m();
-    let of_focal_length = camera.fx().map_or(0.0, Measured::relative) * slope * slope;
+    let (other, of_focal_length) = match camera.given {
+        Some((_, given)) => (given, 1.0 - slope * slope),
+        None => (camera.solution.best()?.distance, slope * slope),
+    };
+    let of_focal_length = of_focal_length * camera.fx().map_or(0.0, Measured::relative);
     let with = |value: Length, relative: f64| Measured::new(value, Length::from_m(value.m() * relative));
-    let computed = with(best.value, best.relative().hypot(of_focal_length));
-    let comparison = Comparison::of_independent(with(point.z.value, range.relative()), computed);
+    let other = with(other.value, other.relative().hypot(of_focal_length));
+    let comparison = Comparison::of_independent(with(point.z.value, range.relative()), other);
     let times = comparison.ratio?;
+    let is_given = camera.given.is_some();
     comparison
         .contradict()
-        .then(|| Note::warning(TAPED_RANGE, Issue::RangeContradicts { times }))
+        .then(|| Note::warning(TAPED_RANGE, Issue::RangeContradicts { times, is_given }))
 }
 
 fn ground(camera: &Camera<'_>) -> Result<Option<GroundSolution>, Note> {

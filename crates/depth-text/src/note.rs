@@ -228,11 +228,9 @@ variants! {
         /// A minDisparity that is not a small whole number.
         MinDisparityNotWhole,
         /// A range by tape that contradicts the distance that was computed.
-        RangeContradicts { times: f64 },
-        /// A ground distance that is known to worse than 30 %.
-        VagueGround,
-        /// A range that is known to worse than 30 %.
-        VagueRange,
+        RangeContradicts { times: f64, is_given: bool },
+        /// A ground distance, or the depth of a range, that is known to worse than 30 %, mostly because of this field.
+        Vague { of: &'static str },
         /// A number of sub-pixel bits that does not exist.
         WrongSubpixelBits,
         /// A stored value that stands for no disparity.

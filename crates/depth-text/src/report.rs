@@ -196,7 +196,7 @@ pub fn certainty(style: Style, uncertainty: &Uncertainty, unit: LengthUnit) -> V
 
 /// Whether both distances agree, and what to look at if not, a line each.
 pub fn agreement(assessment: &Assessment) -> Vec<String> {
-    let agreement = Statement::comparison(&assessment.solution);
+    let agreement = Statement::comparison(assessment);
     let suspects = assessment.suspects();
     let statements = agreement.into_iter().chain(suspects.iter().map(Statement::suspect));
     statements.map(|statement| statement.to_string()).collect()
@@ -355,15 +355,16 @@ mod tests {
         let mut inputs = Example::CoffeeMug.inputs();
         inputs.entry_mut(Field::ImageWidth).text = "165".into();
         inputs.entry_mut(Field::RealWidth).text = "0.3".into();
-        let solution = inputs.assess().solution;
+        let assessment = inputs.assess();
+        let solution = &assessment.solution;
         assert_eq!(solution.estimated_width_px.map(|w| w.px().round()), Some(150.0));
         assert!(
-            Statement::widths(&solution).to_string().contains("10 % larger"),
+            Statement::widths(&assessment).to_string().contains("10 % larger"),
             "{}",
-            Statement::widths(&solution)
+            Statement::widths(&assessment)
         );
         assert!(
-            Statement::widths(&Example::Doorway.inputs().assess().solution)
+            Statement::widths(&Example::Doorway.inputs().assess())
                 .to_string()
                 .contains("only repeat")
         );

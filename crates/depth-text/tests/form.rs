@@ -335,6 +335,8 @@ fn a_sigma_behind_the_value_counts_and_moves_into_its_field() {
         (Field::Baseline, "120 ± 2 cm", 1.2, 0.02),
         (Field::Baseline, "(1.200 ± 0.016) m", 1.2, 0.016),
         (Field::Baseline, "120 ± 2", 0.12, 0.002),
+        (Field::Baseline, "(0.5 ± 1 %) m", 0.5, 0.005),
+        (Field::Disparity, "50 +- 0.5", 50.0, 0.5),
     ] {
         let mut inputs = with(field, text);
         for is_tidied in [false, true] {

@@ -40,7 +40,7 @@ proptest! {
         let shown = rows.iter().map(|row| row.value.clone())
             .chain([report::length(assessment.solution.stereo.distance(), result_unit)])
             .chain(report::one_pixel_range(&assessment.solution, result_unit))
-            .chain([Statement::widths(&assessment.solution).to_string()]);
+            .chain([Statement::widths(&assessment).to_string()]);
         for text in shown {
             prop_assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
         }

@@ -66,6 +66,10 @@ fn comments_dates_products_and_decimal_commas_are_no_obstacle() {
     is_the_reference("Q matrix (2023-05-01):\n[[1,0,0,-610],[0,1,0,-350],[0,0,0,700],[0,0,0.01,0.4]]");
     is_the_reference("1 0 0 -610,0 0 1 0 -350,0 0 0 0 700,0 0 0 0,01 0,4");
     is_the_reference("[[1, 0, 0, -0.5*1220], [0, 1, 0, -0.5*700], [0, 0, 0, 700], [0, 0, 1/100, 0.4]]");
+    is_the_reference("1 0 0 -610 # first\n0 1 0 -350 // second\n0 0 0 700 % third\n0 0 0.01 0.4");
+    is_the_reference("/* 12 boards 2024 */ 1 0 0 -610 0 1 0 -350 0 0 0 700 0 0 0.01 0.4");
+    is_the_reference("2024-05-01 12:00\n1 0 0 -610\n0 1 0 -350\n0 0 0 700\n0 0 0.01 0.4");
+    is_the_reference("[[1, 0, 0, -0.5 * 1220], [0, 1, 0, -0.5*700], [0, 0, 0, 2*350], [0, 0, 1/100, 0.4]]");
     // −1/Tx of a baseline of −0.2, and of one of +0.2, which is swapped.
     let q = |w: &str| read(&format!("[[1,0,0,-610],[0,1,0,-350],[0,0,0,700],[0,0,{w},0]]")).unwrap();
     assert_eq!((q("-1/-0.2").baseline, q("-1/-0.2").swapped), (0.2, false));
@@ -83,6 +87,9 @@ fn a_matrix_in_parts_is_put_together() {
     );
     is_the_reference(
         "Q =\n\n   1.0e+03 *\n\n  Columns 1 through 2\n\n   0.001000000000000                   0\n                   0   0.001000000000000\n                   0                   0\n                   0                   0\n\n  Columns 3 through 4\n\n                   0  -0.610000000000000\n                   0  -0.350000000000000\n                   0   0.700000000000000\n   0.000010000000000   0.000400000000000\n",
+    );
+    is_the_reference(
+        "Q =\n\n  Columns 1 through 3\n\n 1 0 0\n 0 1 0\n 0 0 0\n 0 0 0.01\n\n  Column 4\n\n -610\n -350\n 700\n 0.4\n\nP1 =\n\n  Columns 1 through 3\n\n 700 0 640\n 0 700 360\n 0 0 1\n\n  Column 4\n\n 0\n 0\n 0\n",
     );
     let half = read("Q =\n\n  Columns 1 through 3\n\n 1 0 0\n 0 1 0\n 0 0 0\n 0 0 0.01\n");
     assert_eq!(half, Err(Issue::QMatrixCount { found: 12 }));

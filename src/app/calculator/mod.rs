@@ -216,5 +216,5 @@ fn intermediate_ui(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
     ];
     let rows: Vec<_> = widths.into_iter().chain(Method::ALL.map(of_method)).chain(combined).collect();
     table::pairs_ui(ui, Card::Intermediate.title(), &rows);
-    text::caption_ui(ui, Statement::widths(solution).to_string());
+    text::caption_ui(ui, Statement::widths(assessment).to_string());
 }

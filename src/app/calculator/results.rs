@@ -52,7 +52,7 @@ pub fn bar_ui(ui: &mut Ui, cx: &AppContext<'_>) {
             ui.label(RichText::new(value).font(theme::strong(theme::BAR_RESULT_SIZE)).color(palette.text));
             ui.add_space(2.0 * theme::STEP);
         }
-        let verdict = Statement::comparison(&assessment.solution).filter(|_| assessment.solution.combined.is_none());
+        let verdict = Statement::comparison(assessment).filter(|_| assessment.solution.combined.is_none());
         if let Some(words) = verdict.and_then(|statement| statement.verdict()) {
             ui.label(RichText::new(words).color(palette.red));
         }
@@ -76,7 +76,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let is_refused = |method| assessment.refusal(method).is_some() && !is_solved(method);
     let shows = |&method: &Method| has_distance(method) || is_refused(method);
     let mut shown: Vec<Card> = Method::ALL.into_iter().filter(shows).map(Card::Distance).collect();
-    let agreement = Statement::comparison(solution);
+    let agreement = Statement::comparison(assessment);
     shown.extend((solution.combined.is_some() || agreement.is_some()).then_some(Card::Combined));
     let columns = if layout.columns() == 1 { 1 } else { shown.len().max(1) };
     for row in shown.chunks(columns) {
@@ -113,7 +113,7 @@ fn heading_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
 fn combined_ui(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
     let palette = theme::palette(ui);
     let solution = &assessment.solution;
-    let agreement = Statement::comparison(solution);
+    let agreement = Statement::comparison(assessment);
     let (front, back) = match agreement {
         Some(Statement::Agree { .. }) => (palette.green, palette.green_tint),
         Some(Statement::HardlyAgree { .. }) => (palette.orange_text, palette.orange_tint),

@@ -15,7 +15,7 @@ use crate::report::{
 };
 use crate::sentences::{Statement, capital, needs, quoted};
 use crate::style::Style;
-use depth_core::problem::{Method, Solution};
+use depth_core::problem::Method;
 use depth_core::quantity::LengthUnit;
 use std::convert::Infallible;
 
@@ -29,7 +29,6 @@ impl Exporter for Text {
     type Error = Infallible;
 
     fn export(&self, &Results { inputs, assessment, unit }: &Results<'_>) -> Result<String, Infallible> {
-        let solution = &assessment.solution;
         let mut lines = vec!["Depth Calculator".to_owned(), String::new(), "Inputs".to_owned()];
         for key in Key::form().filter(|key| !key.is_optional || !inputs.entry(*key).is_blank()) {
             lines.push(format!("  {}: {}", key.name, input(inputs, assessment, key)));
@@ -45,7 +44,7 @@ impl Exporter for Text {
             .into_iter()
             .chain(methods)
             .chain(comparison(assessment, unit))
-            .chain(widths(solution, unit))
+            .chain(widths(assessment, unit))
             .chain(geometry(&assessment.geometry, unit));
         lines.extend(results.map(|line| format!("  {line}")));
         for note in &assessment.notes {
@@ -153,7 +152,8 @@ fn comparison(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
 }
 
 /// The widths that the distance predicts.
-fn widths(solution: &Solution, unit: LengthUnit) -> Vec<String> {
+fn widths(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
+    let solution = &assessment.solution;
     let mut lines = Vec::new();
     if let Some(width) = solution.estimated_width_px {
         let (rounded, exact) = (significant(width.px(), DIGITS), exact(width.px()));
@@ -168,7 +168,7 @@ fn widths(solution: &Solution, unit: LengthUnit) -> Vec<String> {
         ));
     }
     if !lines.is_empty() {
-        lines.push(format!("  {}", Statement::widths(solution)));
+        lines.push(format!("  {}", Statement::widths(assessment)));
     }
     lines
 }

@@ -79,10 +79,23 @@ fn behind_data(text: &str) -> &str {
     text
 }
 
-/// `text` without the lines that are comments, whose numbers are no entries.
+/// `text` without comments, whose numbers are no entries: of YAML and Python, C, and MATLAB.
 pub(super) fn without_comments(text: &str) -> String {
-    let is_comment = |line: &&str| line.trim_start().starts_with(['#']) || line.trim_start().starts_with("//");
-    text.lines().filter(|line| !is_comment(line)).collect::<Vec<_>>().join("\n")
+    let mut rest = text;
+    let mut without = String::with_capacity(text.len());
+    while let Some((before, (_, behind))) = rest
+        .split_once("/*")
+        .and_then(|(before, behind)| Some((before, behind.split_once("*/")?)))
+    {
+        without.push_str(before);
+        rest = behind;
+    }
+    without.push_str(rest);
+    let code = |line: &str| {
+        let end = ["#", "%", "//"].into_iter().filter_map(|start| line.find(start)).min();
+        line.get(..end.unwrap_or(line.len())).unwrap_or(line).to_owned()
+    };
+    without.lines().map(code).collect::<Vec<_>>().join("\n")
 }
 
 /// The numbers in `entries`; where they are not sixteen, those behind its brackets (a date may stand before them), or with commas
@@ -95,10 +108,18 @@ pub(super) fn sixteen(entries: &str) -> Result<Scanned, Issue> {
     }
     let in_brackets = entries.find("[[").and_then(|at| numbers(entries.get(at..)?).ok());
     let with_points = || numbers(&with_decimal_points(entries)).ok();
-    in_brackets
-        .filter(is_complete)
-        .or_else(|| with_points().filter(is_complete))
-        .map_or(first, Ok)
+    let in_brackets = in_brackets.filter(is_complete).or_else(|| with_points().filter(is_complete));
+    in_brackets.map_or_else(|| first.map(behind_date), Ok)
+}
+
+/// Without what stands before the sixteen numbers of a matrix, which begins with 1, 0, 0.
+fn behind_date(mut scanned: Scanned) -> Scanned {
+    let before = scanned.numbers.len().saturating_sub(16);
+    let first: Vec<f64> = scanned.numbers.iter().skip(before).take(3).map(|(number, _)| *number).collect();
+    if before > 0 && first == [1.0, 0.0, 0.0] {
+        scanned.numbers.drain(..before);
+    }
+    scanned
 }
 
 /// `text` with a point for each comma between two digits.
@@ -127,7 +148,10 @@ pub(super) fn side_by_side(text: &str) -> Option<String> {
     };
     let first = text.lines().position(is_header)?;
     let mut joined = text.lines().take(first).collect::<Vec<_>>().join("\n");
-    let lines: Vec<&str> = text.lines().skip(first).filter(|line| !line.trim().is_empty()).collect();
+    // What follows the numbers is another matrix.
+    let is_part = |line: &&str| is_header(line) || starts_number(line.trim_start());
+    let lines = text.lines().skip(first).filter(|line| !line.trim().is_empty());
+    let lines: Vec<&str> = lines.take_while(is_part).collect();
     let parts = lines.split(|line| is_header(line)).filter(|part| !part.is_empty());
     let parts: Vec<&[&str]> = parts.collect();
     for row in 0..4 {
@@ -148,19 +172,27 @@ pub(super) struct Scanned {
 
 /// The numbers at the beginning of `text`, up to the next name, or behind the sixteenth to whatever is no number.
 fn numbers(text: &str) -> Result<Scanned, Issue> {
-    let mut numbers = Vec::new();
-    let mut factor = None;
+    let mut numbers: Vec<(f64, f64)> = Vec::new();
+    let (mut factor, mut is_product) = (None, false);
     for token in Scanner::of(text) {
         match token {
+            Token::Number(number, _) if is_product => {
+                is_product = false;
+                if let Some(last) = numbers.last_mut() {
+                    *last = (last.0 * number, 0.0);
+                }
+            }
             Token::Number(number, unit) => numbers.push((number, unit)),
             _ if numbers.len() == 16 => break,
             Token::Unreadable(word) => {
                 return Err(Issue::QMatrixNumber { text: word.to_owned() });
             }
             Token::Times if factor.is_none() && numbers.len() == 1 => factor = numbers.pop().map(|(factor, _)| factor),
-            Token::Times if !numbers.is_empty() => {
+            Token::Times if !numbers.is_empty() && !is_product => is_product = true,
+            Token::Times if is_product => {
                 return Err(Issue::QMatrixNumber { text: "*".to_owned() });
             }
+            Token::Name { .. } | Token::Closing if is_product => return Err(Issue::QMatrixNumber { text: "*".to_owned() }),
             Token::Name { .. } | Token::Closing if !numbers.is_empty() => break,
             Token::Name { .. } | Token::Closing | Token::Times => {}
         }
@@ -229,11 +261,6 @@ impl<'a> Scanner<'a> {
             return Token::Unreadable(word);
         };
         self.rest = rest;
-        // A product is written without a gap; what MATLAB multiplies a matrix by has one.
-        if let Some((factor, _, rest)) = rest.strip_prefix('*').and_then(leading_number) {
-            self.rest = rest;
-            return Token::Number(number * factor, 0.0);
-        }
         let Some((divisor, rest)) = rest.trim_start_matches(' ').strip_prefix('/').and_then(divisor) else {
             return Token::Number(number, unit);
         };

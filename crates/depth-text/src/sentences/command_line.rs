@@ -1,5 +1,7 @@
 //! What only the command line says.
 
+use super::words::capital;
+use crate::field::Key;
 use crate::variants::variants;
 use std::fmt::{self, Display, Formatter};
 
@@ -39,6 +41,8 @@ variants! {
         NoGround { options: Vec<String> },
         /// A file cannot be read.
         UnreadableFile { file: String, reason: String },
+        /// What is solved for needs more options.
+        NotSolved { unknown: Key, options: Vec<String> },
         /// A file is larger than 16 MB.
         FileTooLarge { file: String },
         /// A file is not text.
@@ -78,6 +82,10 @@ impl Display for CommandLine {
             }
             Self::NoGround { options } => incomplete(f, "No distance can be computed.", &enumerated(options)),
             Self::UnreadableFile { file, reason } => write!(f, "{file} cannot be read: {reason}."),
+            Self::NotSolved { unknown, options } => {
+                let what = format!("{} cannot be computed.", capital(unknown.noun));
+                incomplete(f, &what, &enumerated(options))
+            }
             Self::FileTooLarge { file } => write!(f, "{file} cannot be read: it is larger than 16 MB."),
             Self::FileNotText { file } => write!(f, "{file} cannot be read: it is not text."),
             Self::UnusedSigma { option } => write!(f, "Not used without --{option}."),

@@ -129,10 +129,11 @@ impl Display for Issue {
                 method.name().to_lowercase(),
                 what_to_type(*key)
             ),
-            Self::RangeContradicts { times } => write!(
+            Self::RangeContradicts { times, is_given } => write!(
                 f,
-                "The depth that this range gives is {} times the distance that was computed: one of them is wrong.",
-                significant(*times, 3)
+                "The depth that this range gives is {} times the distance that was {}: one of them is wrong.",
+                significant(*times, 3),
+                if *is_given { "given" } else { "computed" }
             ),
             Self::MissingFocalLength => f.write_str("Start with the focal length in pixels, such as 700."),
             Self::MissingMethod => f.write_str("Add a baseline and a disparity for two cameras, or the two widths for one camera."),
@@ -149,8 +150,7 @@ impl Display for Issue {
             Self::RowAndAngle => f.write_str("Give the row of the point or its angle below the axis, not both."),
             Self::NoQMatrix => f.write_str("There is no Q in it. Q is the 4 × 4 matrix that stereoRectify makes; paste it, or the file that has it."),
             Self::GroundTooExtreme => f.write_str("With these numbers there is no distance that a computer can represent."),
-            Self::VagueGround => f.write_str("Most of the uncertainty of the ground distance comes from here, and it is so large that ± σ is a poor description."),
-            Self::VagueRange => f.write_str("This uncertainty is more than 30 % of the range: the depth that follows says little."),
+            Self::Vague { of } => write!(f, "Most of the uncertainty of the {of} comes from here, and it is so large that ± σ is a poor description."),
             Self::NoFocalLength => f.write_str("These numbers give no focal length: all must be above zero, and a field of view below 180°."),
             Self::MinDisparityNotWhole => f.write_str("minDisparity is a whole number, such as 0."),
             Self::WrongSubpixelBits => f.write_str("DepthAI has 3, 4 or 5 sub-pixel bits."),

@@ -9,5 +9,5 @@ mod statement;
 mod words;
 
 pub use command_line::CommandLine;
-pub use statement::Statement;
+pub use statement::{Pair, Statement};
 pub use words::{capital, needs, percent, quoted, short_name};

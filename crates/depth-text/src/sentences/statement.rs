@@ -1,12 +1,13 @@
 //! What follows from the numbers: whether two distances agree, what to look at if not, and how good a description is.
 
 use super::words::{capital, percent, short_name};
+use crate::assess::Assessment;
 use crate::field::Key;
 use crate::names::Named as _;
 use crate::number::{plain, significant};
 use crate::variants::variants;
 use depth_core::agreement::{Agreement, Suspect, Verdict};
-use depth_core::problem::{Field, Method, Solution, Uncertainty};
+use depth_core::problem::{Field, Method, Uncertainty};
 use depth_core::quantity::LengthUnit;
 use std::fmt::{self, Display, Formatter};
 
@@ -15,15 +16,15 @@ variants! {
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub enum Statement {
         /// The stated uncertainties explain the difference of so many σ.
-        Agree { z: f64 },
+        Agree { z: f64, pair: Pair },
         /// The difference is large.
-        HardlyAgree { z: f64 },
+        HardlyAgree { z: f64, pair: Pair },
         /// The difference is too large.
-        Disagree { z: f64 },
+        Disagree { z: f64, pair: Pair },
         /// Nothing says how well they agree: not each has a σ of its own.
-        CannotJudge { stereo_over_monocular: Option<f64> },
+        CannotJudge { ratio: Option<f64>, pair: Pair },
         /// So too, and one is so much larger that not both can be right.
-        Contradict { stereo_over_monocular: Option<f64> },
+        Contradict { ratio: Option<f64>, pair: Pair },
 
         /// What the combined distance is.
         Combined,
@@ -44,11 +45,11 @@ variants! {
         LargestSigma { key: Key },
 
         /// The widths are what the stereo distance predicts.
-        WidthsAgree,
+        WidthsAgree { is_given: bool },
         /// The widths are off by this fraction.
-        WidthsDiffer { off: f64 },
+        WidthsDiffer { off: f64, is_given: bool },
         /// A width is missing.
-        WidthsNeeded,
+        WidthsNeeded { is_given: bool },
         /// Without a stereo distance there is nothing to check.
         WidthsRepeat,
         /// Neither distance is there.
@@ -61,18 +62,19 @@ variants! {
 
 impl Statement {
     /// Whether both distances agree; `None` where there are not two, or nobody asked how sure they are and they are near enough.
-    pub fn comparison(solution: &Solution) -> Option<Self> {
+    pub fn comparison(assessment: &Assessment) -> Option<Self> {
+        let solution = &assessment.solution;
         let comparison = solution.comparison?;
-        let stereo_over_monocular = comparison.ratio;
+        let (ratio, pair) = (comparison.ratio, Pair::of(assessment));
         let has_sigma = Method::ALL.into_iter().any(|method| solution.uncertainty(method).is_some());
         match comparison.agreement {
             Some(Agreement { z, verdict }) => Some(match verdict {
-                Verdict::Agree => Self::Agree { z },
-                Verdict::Doubtful => Self::HardlyAgree { z },
-                Verdict::Disagree => Self::Disagree { z },
+                Verdict::Agree => Self::Agree { z, pair },
+                Verdict::Doubtful => Self::HardlyAgree { z, pair },
+                Verdict::Disagree => Self::Disagree { z, pair },
             }),
-            None if comparison.contradict() => Some(Self::Contradict { stereo_over_monocular }),
-            None => has_sigma.then_some(Self::CannotJudge { stereo_over_monocular }),
+            None if comparison.contradict() => Some(Self::Contradict { ratio, pair }),
+            None => has_sigma.then_some(Self::CannotJudge { ratio, pair }),
         }
     }
 
@@ -111,41 +113,90 @@ impl Statement {
     }
 
     /// How far the entered widths are off what the stereo distance predicts, or what would be needed to know.
-    pub fn widths(solution: &Solution) -> Self {
+    pub fn widths(assessment: &Assessment) -> Self {
+        let solution = &assessment.solution;
         let has = |method| solution.outcome(method).distance().is_some();
+        let is_given = has(Method::Stereo) && assessment.distance(Method::Stereo).is_none();
         match solution.width_discrepancy() {
-            Some(off) if off.abs() < 0.0005 => Self::WidthsAgree,
-            Some(off) => Self::WidthsDiffer { off },
-            None if has(Method::Stereo) => Self::WidthsNeeded,
+            Some(off) if off.abs() < 0.0005 => Self::WidthsAgree { is_given },
+            Some(off) => Self::WidthsDiffer { off, is_given },
+            None if has(Method::Stereo) => Self::WidthsNeeded { is_given },
             None if has(Method::Monocular) => Self::WidthsRepeat,
             None => Self::WidthsCheck,
         }
     }
 }
 
+/// The two distances that are compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pair {
+    /// Both were computed.
+    StereoAndMonocular,
+    /// The first one was given, to solve the stereo equation for something else.
+    GivenAndMonocular,
+    /// The second one was given.
+    StereoAndGiven,
+}
+
+impl Pair {
+    fn of(assessment: &Assessment) -> Self {
+        match assessment.unknown.as_ref().map(|unknown| unknown.method) {
+            None => Self::StereoAndMonocular,
+            Some(Method::Stereo) => Self::GivenAndMonocular,
+            Some(Method::Monocular) => Self::StereoAndGiven,
+        }
+    }
+
+    const fn names(self) -> [&'static str; 2] {
+        match self {
+            Self::StereoAndMonocular => ["stereo", "monocular"],
+            Self::GivenAndMonocular => ["the given distance", "monocular"],
+            Self::StereoAndGiven => ["stereo", "the given distance"],
+        }
+    }
+
+    /// "Stereo and monocular"
+    fn both(self) -> String {
+        let [first, second] = self.names();
+        format!("{} and {second}", capital(first))
+    }
+
+    /// "monocular is 10.00 times stereo", with the ratio of the first to the second.
+    fn times(self, ratio: Option<f64>) -> Option<String> {
+        let (ratio, [first, second]) = (ratio?, self.names());
+        Some(if ratio >= 1.0 {
+            format!("{first} is {} times {second}", significant(ratio, 3))
+        } else {
+            format!("{second} is {} times {first}", significant(1.0 / ratio, 3))
+        })
+    }
+}
+
+/// Where the estimated widths are from.
+const fn from(is_given: bool) -> &'static str {
+    if is_given { "given" } else { "stereo" }
+}
+
 impl Display for Statement {
     #[expect(clippy::too_many_lines, reason = "an arm is a sentence, and the compiler asks for each")]
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Agree { z } => write!(f, "Stereo and monocular agree within their uncertainties{}.", apart(z)),
-            Self::HardlyAgree { z } => write!(
+            Self::Agree { z, pair } => write!(f, "{} agree within their uncertainties{}.", pair.both(), apart(z)),
+            Self::HardlyAgree { z, pair } => write!(
                 f,
-                "Stereo and monocular hardly agree{}: one case in twenty, if the uncertainties are right.",
+                "{} hardly agree{}: one case in twenty, if the uncertainties are right.",
+                pair.both(),
                 apart(z)
             ),
-            Self::Disagree { z } => write!(
-                f,
-                "Stereo and monocular disagree{}: an input or its uncertainty is wrong.",
-                apart(z)
-            ),
-            Self::CannotJudge { stereo_over_monocular } => write!(
+            Self::Disagree { z, pair } => write!(f, "{} disagree{}: an input or its uncertainty is wrong.", pair.both(), apart(z)),
+            Self::CannotJudge { ratio, pair } => write!(
                 f,
                 "Agreement can be judged only where both distances have an uncertainty of their own{}.",
-                times(stereo_over_monocular).map_or_else(String::new, |times| format!("; {times}"))
+                pair.times(ratio).map_or_else(String::new, |times| format!("; {times}"))
             ),
-            Self::Contradict { stereo_over_monocular } => match times(stereo_over_monocular) {
+            Self::Contradict { ratio, pair } => match pair.times(ratio) {
                 Some(times) => write!(f, "{}: an input is wrong.", capital(&times)),
-                None => f.write_str("Stereo and monocular have nothing to do with each other: an input is wrong."),
+                None => write!(f, "{} have nothing to do with each other: an input is wrong.", pair.both()),
             },
             Self::Combined => f.write_str("combined, the shared focal length accounted for"),
             Self::MainCause { source, share } => {
@@ -178,18 +229,23 @@ impl Display for Statement {
             ),
             Self::NoSigma { key } => write!(f, "{} is taken to be exact. How well is it known?", capital(key.noun)),
             Self::LargestSigma { key } => write!(f, "{} has the largest uncertainty: measure it again.", capital(key.noun)),
-            Self::WidthsAgree => {
-                f.write_str("Computed from the stereo distance, as a check: both widths agree with what you entered to within 0.1 %.")
-            }
-            Self::WidthsDiffer { off } => write!(
+            Self::WidthsAgree { is_given } => write!(
                 f,
-                "Computed from the stereo distance, as a check. The width in the image is {} % {} than the real width predicts: one of the two, or the distance, is off.",
+                "Computed from the {} distance, as a check: both widths agree with what you entered to within 0.1 %.",
+                from(is_given)
+            ),
+            Self::WidthsDiffer { off, is_given } => write!(
+                f,
+                "Computed from the {} distance, as a check. The width in the image is {} % {} than the real width predicts: one of the two, or the distance, is off.",
+                from(is_given),
                 significant(off.abs() * 100.0, 2),
                 if off > 0.0 { "larger" } else { "smaller" }
             ),
-            Self::WidthsNeeded => {
-                f.write_str("Computed from the stereo distance. Enter both widths to check one method against the other.")
-            }
+            Self::WidthsNeeded { is_given } => write!(
+                f,
+                "Computed from the {} distance. Enter both widths to check one method against the other.",
+                from(is_given)
+            ),
             Self::WidthsRepeat => f.write_str(
                 "Without a stereo distance these only repeat what you entered. Enter a baseline and a disparity to make them a check.",
             ),
@@ -202,16 +258,6 @@ impl Display for Statement {
             }
         }
     }
-}
-
-/// "monocular is 10.00 times stereo"
-fn times(stereo_over_monocular: Option<f64>) -> Option<String> {
-    let ratio = stereo_over_monocular?;
-    Some(if ratio >= 1.0 {
-        format!("stereo is {} times monocular", significant(ratio, 3))
-    } else {
-        format!("monocular is {} times stereo", significant(1.0 / ratio, 3))
-    })
 }
 
 /// " (1.6 σ apart)"
@@ -228,7 +274,11 @@ mod tests {
     #[test]
     fn distances_that_only_rounding_tells_apart_are_not_apart() {
         for (z, expected) in [(5e-15, "(0.0 σ apart)"), (1.56, "(1.6 σ apart)"), (12.3, "(12 σ apart)")] {
-            let sentence = Statement::Agree { z }.to_string();
+            let sentence = Statement::Agree {
+                z,
+                pair: Pair::StereoAndMonocular,
+            }
+            .to_string();
             assert!(sentence.contains(expected), "{sentence}");
         }
     }
