@@ -2,6 +2,7 @@
 
 import { after as nodeAfter, before as nodeBefore, test } from 'node:test';
 import { ENGINES } from './engines/index.mjs';
+import { current } from './page.mjs';
 import { settings } from './settings.mjs';
 
 /** For what no engine can do in another way than the others: texts, the program's own decisions, rules about HTML. */
@@ -23,6 +24,15 @@ export function unless(ability) {
 }
 
 /**
+ * Whether the program was broken by the compiler of WebKitGTK, in which one start in 200 reads beside its memory: the page has started it
+ * again in the middle of the test, or says so. Nothing else is a reason to run a test again.
+ */
+async function isFaultOfCompiler(error) {
+  if (!engine.breaksPrograms) return false;
+  return /Out of bounds memory access/.test(error.message) || (await current.page?.wasStartedAgain()) === true;
+}
+
+/**
  * A test. `engines`: where it runs, everywhere if absent; elsewhere it does not exist. `needs`: what an engine must be able to do;
  * where it cannot, the test is left out by name.
  */
@@ -36,5 +46,13 @@ export function it(name, ...rest) {
   if (engines && !engines.includes(settings.engine)) return;
   if (settings.names.length > 0 && !settings.names.includes(name)) return;
   for (const hook of hooks.splice(0)) hook();
-  test(name, { skip: needs.map(unless).find(Boolean) ?? false }, run);
+  test(name, { skip: needs.map(unless).find(Boolean) ?? false }, async (context) => {
+    try {
+      await run(context);
+    } catch (error) {
+      if (!(await isFaultOfCompiler(error))) throw error;
+      console.log(`Again, as the engine’s compiler has broken the program: ${name}\n${error.stack}`);
+      await run(context);
+    }
+  });
 }

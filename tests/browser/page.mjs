@@ -28,6 +28,9 @@ const WITHOUT = {
   webassembly: 'delete globalThis.WebAssembly',
 };
 
+/** The page that was opened last. */
+export const current = { page: undefined };
+
 /** A server and a browser for one file of tests. */
 export async function startBench() {
   const server = await startServer();
@@ -39,6 +42,7 @@ export async function startBench() {
       await server.renew();
       const driver = await session.open(options);
       const page = new Page(session.engine, server, driver, test);
+      current.page = page;
       await page.setScreen({ width: 1280, height: 900 });
       const { without } = options;
       if (without && !session.engine.switchesOff.includes(without)) await page.runBefore(WITHOUT[without]);
@@ -110,6 +114,11 @@ export class Page {
       if (failure) throw new Error(`The page shows: ${failure}`);
       return (await this.firstFrameMs()) !== null;
     });
+  }
+
+  /** Whether the page has started the program again, because it trapped (assets/web/start.js). */
+  wasStartedAgain() {
+    return this.run("return sessionStorage.getItem('depth-calculator/restarted') !== null").catch(() => false);
   }
 
   /** Milliseconds from the navigation to the first frame, `null` before it. */

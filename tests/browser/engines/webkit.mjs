@@ -1,8 +1,12 @@
 // WebKitGTK's MiniBrowser, through WebKitWebDriver.
 
+import { setTimeout as sleep } from 'node:timers/promises';
 import { Capabilities } from 'selenium-webdriver';
 
 const NO_COMMAND = 'its driver has no such command';
+
+/** To give the window a size, which it takes when it is shown. */
+const MOST_ATTEMPTS = 50;
 
 export const webkit = {
   cannot: {
@@ -18,6 +22,8 @@ export const webkit = {
     'say what keeps a page from being installed': NO_COMMAND,
   },
   switchesOff: [],
+  /** Its compiler makes one start in 200 read beside the program's memory (2.50). */
+  breaksPrograms: true,
   // MiniBrowser has no mode without a window.
   needsScreen: true,
   driverArguments: (port) => [`--port=${port}`],
@@ -44,8 +50,13 @@ export const webkit = {
     for (let attempt = 0; ; attempt += 1) {
       const [wide, high] = await driver.executeScript('return [innerWidth, innerHeight]');
       if (wide === width && high === height) return;
-      if (attempt === 5) throw new Error(`The page became ${wide} by ${high} pixels large instead of ${width} by ${height}.`);
+      if (attempt === MOST_ATTEMPTS) throw new Error(`The page became ${wide} by ${high} pixels large instead of ${width} by ${height}.`);
       const outer = await window.getRect();
+      // A window that is not shown yet has no size.
+      if (outer.width < wide || outer.height < high) {
+        await sleep(50);
+        continue;
+      }
       await window.setRect({ x: 0, y: 0, width: outer.width + width - wide, height: outer.height + height - high });
     }
   },
