@@ -1,6 +1,6 @@
 //! Range, tilt and ground plane.
 
-use crate::program::{D, FX, Program, W_IMG, W_REAL, type_sigma};
+use crate::program::{D, FX, Program, W_IMG, W_REAL};
 
 #[test]
 fn depth_and_range_differ_away_from_the_middle() {
@@ -50,12 +50,7 @@ fn calculate_goes_to_a_wrong_field_in_a_hidden_part() {
 #[test]
 fn the_point_is_at_the_combined_distance_where_there_is_one() {
     let mut program = Program::new();
-    program.mug();
-    program.type_into(W_IMG, "150");
-    program.type_into(W_REAL, "0.31");
-    program.press("Add uncertainty");
-    type_sigma(&mut program, D, "2");
-    type_sigma(&mut program, W_IMG, "2");
+    program.two_distances();
     program.press("Range, tilt, ground plane");
     for (field, value) in [
         ("Principal point cx", "640"),

@@ -1,7 +1,7 @@
 //! The results, the pictures and the table, and what can be done with them.
 
 use crate::machine::Machine;
-use crate::program::{B, D, DESKTOP, FX, PHONE, Program, W_IMG, W_REAL, type_sigma};
+use crate::program::{B, D, DESKTOP, FX, PHONE, Program, W_IMG, W_REAL};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -230,28 +230,25 @@ fn what_is_wrong_is_said_at_the_field_and_once_among_the_results() {
     program.press("Solve for another quantity");
     program.choose("Solve for", "Stereo: Camera baseline (b)");
     program.type_into("Distance (D)", "1.4");
-    assert_eq!(count(&program, zero), 2, "{}", program.text());
+    assert_eq!(count(&program, zero), 1, "{}", program.text());
+    assert_eq!(count(&program, "None; see the note on the disparity"), 1, "{}", program.text());
     program.type_into(D, "50");
     program.type_into("Distance (D)", "-1");
-    assert_eq!(count(&program, "The distance cannot be negative"), 2, "{}", program.text());
-    // What is missing is said where the result would be, and at the field once somebody asks.
+    assert_eq!(count(&program, "The distance cannot be negative"), 1, "{}", program.text());
+    // What is missing is named where the result would be, and said at the field once somebody asks.
     program.type_into("Distance (D)", "");
-    assert_eq!(count(&program, "The distance is missing"), 1, "{}", program.text());
+    assert_eq!(count(&program, "Needs D"), 1, "{}", program.text());
+    assert_eq!(count(&program, "The distance is missing"), 0, "{}", program.text());
     program.press("Calculate Distance");
     assert_eq!(program.focused(), "Distance (D)");
-    assert_eq!(count(&program, "The distance is missing"), 2, "{}", program.text());
+    assert_eq!(count(&program, "The distance is missing"), 1, "{}", program.text());
 }
 
 /// What sums up the results says which of them it is, and that they disagree.
 #[test]
 fn what_sums_up_the_results_is_the_combined_distance_or_says_that_they_disagree() {
     let mut program = Program::on(Machine::default(), PHONE);
-    program.mug();
-    program.type_into(W_IMG, "150");
-    program.type_into(W_REAL, "0.31");
-    program.press("Add uncertainty");
-    type_sigma(&mut program, D, "2");
-    type_sigma(&mut program, W_IMG, "2");
+    program.two_distances();
     let bar = "Combined\nCombined\n1.442 m";
     assert!(program.says(bar), "{}", program.text());
     assert!(

@@ -5,7 +5,8 @@ use crate::assess::{Assessment, Unknown};
 use crate::field::Key;
 use crate::geometry::PointOrigin;
 use crate::names::{self, Named};
-use crate::sentences::{Statement, percent, short_name};
+use crate::note::Issue;
+use crate::sentences::{Statement, needs, percent, short_name};
 use crate::style::Style;
 use crate::unit::Unit;
 use depth_core::camera::{GroundSolution, PointSolution};
@@ -275,6 +276,17 @@ pub fn unknown_in_parts(unknown: &Unknown, unit: LengthUnit) -> Option<[String; 
         [value, format!("{} ± {sigma}", unit.symbol())]
     } else {
         [STYLE.number(Some(value)), unit.symbol().to_owned()]
+    })
+}
+
+/// Why nothing was solved for, without repeating what is said at a field: "none; see the note on the disparity", "needs D".
+pub fn why_unsolved(assessment: &Assessment, unknown: &Unknown) -> Option<String> {
+    let issue = unknown.outcome.as_ref().err()?;
+    let note = assessment.notes.iter().find(|note| note.issue == *issue);
+    Some(match (note, issue) {
+        (Some(note), _) => Statement::SeeNote { key: note.key }.to_string(),
+        (None, Issue::MissingForUnknown { key }) => needs(&[*key]),
+        (None, issue) => issue.to_string(),
     })
 }
 

@@ -67,7 +67,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let solution = &assessment.solution;
     let has_distance = |method| assessment.distance(method).is_some();
     if let Some(unknown) = &assessment.unknown {
-        card_ui(ui, Card::Solved(unknown.field), |ui| solved_ui(ui, unknown, unit));
+        card_ui(ui, Card::Solved(unknown.field), |ui| solved_ui(ui, assessment, unknown, unit));
     } else if !Method::ALL.into_iter().any(has_distance) {
         card_ui(ui, Card::NoResult, |ui| empty_ui(ui, cx));
         return;
@@ -144,17 +144,16 @@ fn combined_ui(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
 }
 
 /// The quantity that was solved for.
-fn solved_ui(ui: &mut Ui, unknown: &Unknown, unit: LengthUnit) {
+fn solved_ui(ui: &mut Ui, assessment: &Assessment, unknown: &Unknown, unit: LengthUnit) {
     let palette = theme::palette(ui);
     let name = Key::from(unknown.field).name;
     text::badge_ui(ui, &format!("{}: {name}", unknown.method.name()), palette.green, palette.green_tint);
-    match (&unknown.outcome, report::unknown_in_parts(unknown, unit)) {
-        (_, Some([value, unit])) => number_ui(ui, &value, &unit, name),
-        (outcome, None) => {
+    match report::unknown_in_parts(unknown, unit) {
+        Some([value, unit]) => number_ui(ui, &value, &unit, name),
+        None => {
             number_ui(ui, NO_NUMBER, "", name);
-            if let Err(issue) = outcome {
-                text::caption_ui(ui, issue.to_string());
-            }
+            let why = report::why_unsolved(assessment, unknown);
+            text::caption_ui(ui, why.map_or_else(String::new, |why| capital(&why)));
         }
     }
 }

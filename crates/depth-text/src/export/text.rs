@@ -84,14 +84,7 @@ fn input(inputs: &Inputs, assessment: &Assessment, key: Key) -> String {
 fn solved_for(assessment: &Assessment, unit: LengthUnit) -> Option<String> {
     let solved = assessment.unknown.as_ref()?;
     let name = Key::from(solved.field).name;
-    let value = match (&solved.outcome, unknown(STYLE, solved, unit)) {
-        (_, Some(value)) => value,
-        (Ok(_), None) => return None,
-        (Err(issue), None) => match assessment.notes.iter().find(|note| note.issue == *issue) {
-            Some(note) => Statement::SeeNote { key: note.key }.to_string(),
-            None => issue.to_string(),
-        },
-    };
+    let value = unknown(STYLE, solved, unit).or_else(|| report::why_unsolved(assessment, solved))?;
     Some(format!("{name} of the {} distance: {value}", solved.method.name().to_lowercase()))
 }
 
