@@ -71,6 +71,8 @@ impl Field<'_> {
     /// Draws the field, as high as the controls of `ui`.
     pub fn ui(mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
         note_line::follow_click(ui, self.id);
+        // Nor is there room kept for a σ that the field does not have.
+        self.with_sigma &= self.key.has_sigma;
         // Also in the frame in which Tab leads out of it: only what is drawn then can get the focus.
         let was_in_use = self.has_focus(ui);
         ui.vertical(|ui| {
@@ -81,7 +83,7 @@ impl Field<'_> {
                 ui.spacing_mut().item_spacing.x = FIELD_PARTS_GAP;
                 self.text_ui(ui, &label, commands);
                 let unit = self.unit_ui(ui, commands);
-                if self.with_sigma && self.key.has_sigma {
+                if self.with_sigma {
                     self.sigma_ui(ui, commands);
                 }
                 unit.is_some_and(|unit| unit.has_focus() || unit.lost_focus())
