@@ -17,6 +17,8 @@ use egui::{Event, InputState, Key, KeyboardShortcut, ModifierNames, Modifiers, T
 pub enum Helper {
     /// Where a focal length comes from.
     FocalLength,
+    /// Which part of a baseline counts.
+    Baseline,
     /// What a program calls a disparity, and doffs.
     Disparity,
 }
@@ -26,6 +28,7 @@ impl Helper {
     pub const fn at(field: Field) -> Option<Self> {
         match field {
             Field::FocalLength => Some(Self::FocalLength),
+            Field::Baseline => Some(Self::Baseline),
             Field::Disparity => Some(Self::Disparity),
             _ => None,
         }
@@ -51,6 +54,8 @@ pub enum Command {
     Follow(String),
     /// Replace what was typed into a field by what a note offered.
     Fix(FieldKey, Entry),
+    /// Replace what was typed into several fields of the form by what a helper computed, as one edit.
+    FillIn(Vec<(FieldKey, Entry)>),
     /// Open the helper for the focal length at this way, with this multiple of the image's width.
     AskForWidth(&'static str, Entry),
     /// Move the point on the curve to this disparity, px; all moves until [`Command::Settle`] are one undo step.
@@ -63,6 +68,8 @@ pub enum Command {
     Help(Option<Helper>),
     /// Show or hide range, tilt and ground plane.
     ShowGeometry(bool),
+    /// Show or hide two photographs and two points.
+    ShowTwo(bool),
     /// Show a screen.
     Show(Screen),
     /// Show results in this unit.
@@ -86,17 +93,26 @@ impl Command {
             Self::ShowDialog(Some(Dialog::Keys)) => "Keys",
             Self::ShowDialog(Some(Dialog::About)) => "About Depth Calculator",
             Self::Help(Some(Helper::FocalLength)) => "from lens, FOV or Q…",
+            Self::Help(Some(Helper::Baseline)) => "not square…",
             Self::Help(Some(Helper::Disparity)) => "OpenCV ×16, doffs…",
             Self::Help(None) => "Cancel",
             Self::ShowGeometry(true) => "Range, tilt, ground plane",
             Self::ShowGeometry(false) => "Hide range, tilt and ground plane",
+            Self::ShowTwo(true) => "Two photos, two points",
+            Self::ShowTwo(false) => "Hide two photos and two points",
             Self::Show(screen) => screen.name(),
             Self::ShowResultsIn(unit) => unit.symbol(),
             Self::Theme(ThemePreference::System) => "As the system",
             Self::Theme(ThemePreference::Light) => "Light",
             Self::Theme(ThemePreference::Dark) => "Dark",
             Self::ShowDialog(None) | Self::Dismiss => "Close",
-            Self::Open(..) | Self::Follow(_) | Self::Fix(..) | Self::AskForWidth(..) | Self::DragDisparity(_) | Self::Settle => "",
+            Self::Open(..)
+            | Self::Follow(_)
+            | Self::Fix(..)
+            | Self::FillIn(_)
+            | Self::AskForWidth(..)
+            | Self::DragDisparity(_)
+            | Self::Settle => "",
         }
     }
 
@@ -154,6 +170,7 @@ impl Command {
             | Self::Open(..)
             | Self::Follow(_)
             | Self::Fix(..)
+            | Self::FillIn(_)
             | Self::AskForWidth(..)
             | Self::Settle => true,
             Self::DragDisparity(_)
@@ -162,6 +179,7 @@ impl Command {
             | Self::ShowDialog(_)
             | Self::Help(_)
             | Self::ShowGeometry(_)
+            | Self::ShowTwo(_)
             | Self::ShowResultsIn(_)
             | Self::Dismiss
             | Self::Theme(_) => false,

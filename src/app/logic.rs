@@ -74,7 +74,8 @@ impl App {
                     self.platform.copy(ctx, text);
                 }
             }
-            Command::Fix(key, entry) => self.fix(ctx, key, entry),
+            Command::Fix(key, entry) => self.fix(ctx, vec![(key, entry)]),
+            Command::FillIn(fields) => self.fix(ctx, fields),
             Command::AskForWidth(way, multiple) => {
                 self.settings.entries.fill(fields::MULTIPLE, multiple);
                 self.calculator.open_way(&mut self.settings.ways, way);
@@ -84,6 +85,7 @@ impl App {
             Command::ShowDialog(dialog) => self.dialog = dialog,
             Command::Help(helper) => self.calculator.helper = helper,
             Command::ShowGeometry(shown) => self.settings.shows_geometry = shown,
+            Command::ShowTwo(shown) => self.settings.shows_two = shown,
             Command::Show(screen) => self.settings.screen = screen,
             Command::ShowResultsIn(unit) => self.settings.result_unit = unit,
             Command::Theme(theme) => {
@@ -152,18 +154,22 @@ impl App {
         }
     }
 
-    fn fix(&mut self, ctx: &egui::Context, key: Key, entry: Entry) {
-        // Fields outside the form stay where they are typed into.
-        let is_of_form = key.section.is_some() || key == fields::DISTANCE;
-        let entries = if is_of_form {
-            self.calculator.helper = None;
-            &mut self.session.inputs.entries
-        } else {
-            &mut self.settings.entries
-        };
-        entries.fill(key, entry);
-        entries.entry_mut(key).tidy(key);
-        ctx.memory_mut(|memory| memory.request_focus(field::id(key)));
+    /// Fills in fields, and moves the focus to the first.
+    fn fix(&mut self, ctx: &egui::Context, filled: Vec<(Key, Entry)>) {
+        if let Some((first, _)) = filled.first() {
+            ctx.memory_mut(|memory| memory.request_focus(field::id(*first)));
+        }
+        for (key, entry) in filled {
+            // Fields outside the form stay where they are typed into.
+            if key.section.is_some() || key == fields::DISTANCE {
+                self.calculator.helper = None;
+                self.session.inputs.fill(key, entry);
+                self.session.inputs.entry_mut(key).tidy(key);
+            } else {
+                self.settings.entries.fill(key, entry);
+                self.settings.entries.entry_mut(key).tidy(key);
+            }
+        }
     }
 
     fn say(&mut self, text: NoticeText, action: Option<Command>) {

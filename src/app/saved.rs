@@ -45,6 +45,8 @@ pub struct Settings {
     pub screen: Screen,
     /// Whether range, tilt and ground plane are shown.
     pub shows_geometry: bool,
+    /// Whether two photographs and two points are shown.
+    pub shows_two: bool,
     /// What was typed into helpers and into range, tilt and ground plane.
     pub entries: Entries,
     /// The way chosen in each helper.
@@ -61,6 +63,7 @@ impl Default for Settings {
             theme: ThemePreference::System,
             screen: Screen::Calculator,
             shows_geometry: false,
+            shows_two: false,
             entries: Entries::default(),
             ways: Ways::new(),
         }
@@ -97,6 +100,8 @@ struct Stored {
     #[serde(default)]
     shows_geometry: bool,
     #[serde(default)]
+    shows_two: bool,
+    #[serde(default)]
     entries: Entries,
     #[serde(default)]
     ways: Ways,
@@ -126,6 +131,7 @@ impl From<StoredVersion1> for Stored {
             theme: stored.theme,
             screen: stored.screen,
             shows_geometry: stored.shows_geometry,
+            shows_two: false,
             ways: version1::ways(&stored.texts),
             entries: version1::entries(stored.texts),
         }
@@ -157,6 +163,7 @@ impl Saved {
             },
             screen: self.settings.screen,
             shows_geometry: self.settings.shows_geometry,
+            shows_two: self.settings.shows_two,
             entries: self.settings.entries.clone(),
             ways: self.settings.ways.clone(),
         })
@@ -195,6 +202,7 @@ impl From<Stored> for Saved {
                 },
                 screen: stored.screen,
                 shows_geometry: stored.shows_geometry,
+                shows_two: stored.shows_two,
                 entries: stored.entries,
                 ways: stored.ways,
             },
@@ -229,6 +237,7 @@ mod tests {
                 theme: ThemePreference::Dark,
                 screen: Screen::Learn,
                 shows_geometry: true,
+                shows_two: true,
                 entries: entries(&[(fields::LENS, "4", "")]),
                 ways: Ways::from([("d".into(), "kitti".into())]),
             },

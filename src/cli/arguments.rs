@@ -1,7 +1,7 @@
 //! What can be typed: commands, their arguments and their help.
 
 use super::help;
-use super::options::{Calculate, Ground};
+use super::options::{Between, Calculate, Ground, Step};
 use super::q::Q;
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
@@ -36,6 +36,12 @@ pub(super) enum Task {
     /// Compute where a pixel's ray meets the floor, from the height and the pitch of the camera
     #[command(after_long_help = help::GROUND)]
     Ground(Box<Ground>),
+    /// Compute how far away something of unknown size is, from two photographs and the step between them
+    #[command(after_long_help = help::STEP)]
+    Step(Box<Step>),
+    /// Compute the length between two points that a stereo pair sees
+    #[command(after_long_help = help::BETWEEN)]
+    Between(Box<Between>),
     /// Read focal length, baseline and doffs from a Q matrix of stereoRectify
     #[command(after_long_help = help::Q)]
     Q(Q),

@@ -5,6 +5,7 @@ use super::options::{Calculate, method_of, name};
 use super::reply::Reply;
 use super::text::Text;
 use super::warning::Warning;
+use crate::core::in_image::InImage;
 use crate::core::problem::{Field, Method, Outcome};
 use depth_text::assess::{Assessment, Unknown};
 use depth_text::export::{Exporter as _, Results};
@@ -25,6 +26,8 @@ impl Calculate {
             entries: self.fields.entries(),
             with_uncertainty: true,
             unknown: self.unknown()?,
+            object: self.object.unwrap_or_default(),
+            pair: self.pair.unwrap_or_default(),
         })
     }
 
@@ -42,7 +45,14 @@ impl Calculate {
         let begun = |method: &Method| method.own_fields().into_iter().any(|field| self.is_given(field, Part::Value));
         match Method::ALL.into_iter().filter(begun).collect::<Vec<_>>()[..] {
             [method] => Ok(Some((method, field))),
-            [] => Err(self.what_is_missing().to_string()),
+            [] => {
+                let inputs = Inputs {
+                    entries: self.fields.entries(),
+                    unknown: Some((Method::Stereo, field)),
+                    ..Inputs::default()
+                };
+                Err(self.what_is_missing(&inputs).to_string())
+            }
             _ => Err(CommandLine::WhichEquation.to_string()),
         }
     }
@@ -64,10 +74,10 @@ impl Calculate {
         if let Some(unknown) = &assessment.unknown
             && let Err(issue) = &unknown.outcome
         {
-            return Err(self.why_not_solved(unknown, issue));
+            return Err(self.why_not_solved(&inputs, unknown, issue));
         }
         if !answered {
-            return Err(self.what_is_missing().to_string());
+            return Err(self.what_is_missing(&inputs).to_string());
         }
         let warnings = self.warnings(&inputs, &assessment);
         let results = Results {
@@ -79,7 +89,10 @@ impl Calculate {
             let answer = Json { warnings: &warnings }.export(&results);
             return answer.map(Reply::without_warnings).map_err(|error| error.to_string());
         }
-        let Ok(text) = Text.export(&results);
+        let Ok(text) = Text {
+            style: self.fields.style(),
+        }
+        .export(&results);
         Ok(Reply {
             text,
             warnings: warnings.iter().map(Warning::to_string).collect(),
@@ -103,17 +116,11 @@ impl Calculate {
     }
 
     /// Why what is asked for by `--solve-for` cannot be had, with the option to look at.
-    fn why_not_solved(&self, unknown: &Unknown, issue: &Issue) -> String {
+    fn why_not_solved(&self, inputs: &Inputs, unknown: &Unknown, issue: &Issue) -> String {
         match issue {
             Issue::MissingForUnknown { key } if *key == fields::DISTANCE => Warning::new(*key, Part::Value, issue).to_string(),
             Issue::MissingForUnknown { .. } => {
-                let needed = unknown
-                    .method
-                    .fields()
-                    .into_iter()
-                    .filter(|&field| field != unknown.field)
-                    .map(Key::from);
-                let missing = needed.filter(|&key| !self.is_given(key, Part::Value));
+                let missing = inputs.missing_for(unknown.method).into_iter();
                 CommandLine::NotSolved {
                     unknown: Key::from(unknown.field),
                     options: missing.map(|key| name(key, Part::Value)).collect(),
@@ -127,20 +134,19 @@ impl Calculate {
     /// The options that the point in space still needs, where one of it was given.
     fn missing_for_point(&self) -> Vec<String> {
         let camera = std::iter::once(fields::FOCAL_LENGTH).chain(Section::Point.keys());
-        let needed = camera.filter(|&key| key != fields::FY && key != fields::TAPED_RANGE);
+        let needed = camera.filter(|&key| key.input != Some(Field::Zero) && key != fields::TAPED_RANGE);
         let missing = needed.filter(|&key| !self.is_given(key, Part::Value));
         missing.map(|key| name(key, Part::Value)).collect()
     }
 
     /// Which options would give a distance: those of the methods of which something was typed, else those of both.
-    fn what_is_missing(&self) -> CommandLine {
+    fn what_is_missing(&self, inputs: &Inputs) -> CommandLine {
         let touched = |method: &Method| method.own_fields().into_iter().any(|field| self.is_given(field, Part::Value));
         let any_touched = Method::ALL.iter().any(touched);
         if !any_touched && self.is_given(fields::TAPED_RANGE, Part::Value) {
             let options = self.missing_for_point();
             return CommandLine::NoPoint { options };
         }
-        let solved_for = |field: &Field| self.solve_for.is_some_and(|key| key == *field);
         let ways = Method::ALL
             .into_iter()
             .filter(|method| match self.solve_for.and_then(method_of) {
@@ -148,9 +154,8 @@ impl Calculate {
                 None => touched(method) || !any_touched,
             })
             .map(|method| {
-                let fields = method.fields().into_iter();
-                let missing = fields.filter(|field| !self.is_given(*field, Part::Value) && !solved_for(field));
-                (missing.map(|field| name(field.into(), Part::Value)).collect(), method.name())
+                let missing = inputs.missing_for(method).into_iter();
+                (missing.map(|key| name(key, Part::Value)).collect(), method.name())
             })
             .collect();
         CommandLine::NoDistance { ways }
@@ -160,10 +165,42 @@ impl Calculate {
     fn unused(&self, assessment: &Assessment) -> Vec<Warning> {
         let mut typed: Vec<(Key, Part)> = self.fields.typed.iter().map(|&(key, part, _)| (key, part)).collect();
         typed.sort();
-        typed
+        let fields = typed
             .into_iter()
-            .filter_map(|(key, part)| Some(Warning::new(key, part, &self.why_unused(assessment, key, part)?)))
-            .collect()
+            .filter_map(|(key, part)| Some(Warning::new(key, part, &self.why_unused(assessment, key, part)?)));
+        let is_begun = |method: Method| method.own_fields().into_iter().any(|field| self.is_given(field, Part::Value));
+        let choice = |option: &str, method| (!is_begun(method)).then(|| Warning::of_option(option, &CommandLine::UnusedChoice { method }));
+        let object = self.object.and_then(|_| choice("object", Method::Monocular));
+        let pair = self.pair.and_then(|_| choice("pair", Method::Stereo));
+        fields.chain(object).chain(pair).collect()
+    }
+
+    /// Whether `key`, a focal length or what belongs to it, plays no part in what was computed: beside angles, or fy beside columns.
+    fn is_idle(&self, assessment: &Assessment, key: Key) -> Option<CommandLine> {
+        let problem = &assessment.solution.problem;
+        if assessment.geometry.point.is_some() || self.solve_for.is_some() {
+            return None;
+        }
+        let has_distance = |method: &Method| assessment.solution.outcome(*method).distance().is_some();
+        let mut methods = Method::ALL.into_iter().filter(has_distance).peekable();
+        methods.peek()?;
+        let by_angle = |method: Method| {
+            let extent = if method == Method::Stereo {
+                problem.disparity
+            } else {
+                problem.image_width
+            };
+            matches!(extent, Some(InImage::Angle(_)))
+        };
+        let (mut all_by_angle, mut none_in_rows) = (true, true);
+        for method in methods {
+            all_by_angle &= by_angle(method);
+            none_in_rows &= !problem.needs_fy(method);
+        }
+        if [fields::FOCAL_LENGTH, fields::FX_LENS, fields::FY].contains(&key) && all_by_angle {
+            return Some(CommandLine::UnusedBesideAngle);
+        }
+        (key == fields::FY && none_in_rows).then_some(CommandLine::UnusedFy)
     }
 
     fn why_unused(&self, assessment: &Assessment, key: Key, part: Part) -> Option<CommandLine> {
@@ -178,11 +215,14 @@ impl Calculate {
                 option: name(key, Part::Value),
             });
         }
-        if key.section == Some(Section::Point) && assessment.geometry.point.is_none() {
+        if let Some(idle) = self.is_idle(assessment, key) {
+            return Some(idle);
+        }
+        if key.section == Some(Section::Point) && key.input.is_none() && assessment.geometry.point.is_none() {
             let options = self.missing_for_point();
             return Some(CommandLine::UnusedPoint { options });
         }
-        let method = Method::ALL.into_iter().find(|method| key == method.optional_field())?;
+        let method = Method::ALL.into_iter().find(|method| key == method.own_optional_field())?;
         let is_begun = method.own_fields().into_iter().any(|field| self.is_given(field, Part::Value));
         (!is_begun && assessment.solution.outcome(method).distance().is_none()).then_some(match method {
             Method::Stereo => CommandLine::UnusedDoffs,
@@ -197,7 +237,7 @@ fn is_beside_the_answer(assessment: &Assessment, key: Key) -> bool {
         return false;
     }
     let belongs = |method: Method| {
-        let mut fields = method.fields().into_iter().chain([method.optional_field()]);
+        let mut fields = method.fields().into_iter().chain(method.optional_fields());
         fields.any(|field| key == field)
     };
     let is_answered = |&method: &Method| matches!(assessment.solution.outcome(method), Outcome::Distance(_));

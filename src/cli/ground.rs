@@ -12,7 +12,6 @@ use depth_text::geometry::missing_for_ground;
 use depth_text::note::{Part, Severity};
 use depth_text::report;
 use depth_text::sentences::CommandLine;
-use depth_text::style::Style;
 use serde::Serialize;
 
 /// Lengths in meters; null for what is unknown.
@@ -33,7 +32,7 @@ impl Ground {
         let inputs = Inputs {
             entries: self.fields.entries(),
             with_uncertainty: true,
-            unknown: None,
+            ..Inputs::default()
         };
         let assessment = inputs.assess();
         if let Some(note) = assessment.notes.iter().find(|note| note.severity == Severity::Error) {
@@ -42,15 +41,15 @@ impl Ground {
         let Some(ground) = &assessment.geometry.ground else {
             let missing = missing_for_ground(|key| inputs.entry(key).is_blank());
             let options = missing.into_iter().map(|key| name(key, Part::Value)).collect();
-            return Err(CommandLine::NoGround { options }.to_string());
+            return Err(CommandLine::NoWay { options }.to_string());
         };
         let mut warnings: Vec<Warning> = assessment.notes.iter().map(Warning::of).collect();
         warnings.extend(self.unused());
         if self.fields.json {
             return json(ground, &warnings);
         }
-        let lines = report::ground(Style::TERMINAL, ground, self.fields.unit);
-        let along = Style::TERMINAL.measured(ground.distance, self.fields.unit);
+        let lines = report::ground(self.fields.style(), ground, self.fields.unit);
+        let along = self.fields.style().measured(ground.distance, self.fields.unit);
         let mut text = format!("{along} (along the floor)\n");
         for (name, value) in lines.into_iter().filter(|(name, _)| *name != report::ALONG_FLOOR) {
             text.push_str(&format!("  {name}: {value}\n"));

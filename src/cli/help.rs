@@ -7,12 +7,16 @@ Formulas:
   monocular  D = w_real · fx / w_img    needs --fx, --w-img, --w-real
 
 Units:
-  A length may carry mm, cm, m, in or ft (100mm, 0.1m), or squares of a
-  calibration board (\"1.695 squares of 23.6 mm\"). Bare, --baseline is in
-  mm, the others in m, and an angle is in degrees. An uncertainty is
-  one standard deviation: with a unit, in percent (1%), or bare in the unit
-  of its value. A raw value of OpenCV's StereoBM or StereoSGBM is 16 times
-  the disparity: divide it.
+  A length may carry nm, um, mm, cm, m, km, in, ft, yd or mi (100mm,
+  \"1 1/8 in\", 5'11\"), or squares of a calibration board (\"1.695
+  squares of 23.6 mm\"). Bare, --baseline, --lens and --zero are in mm,
+  the others in m. An angle may carry deg, arcmin, arcsec, rad, mrad, MOA
+  or mil (6400 to the circle); bare it is in degrees. --w-img and
+  --disparity may be angles, which need no --fx, or with --fx lengths on
+  the sensor. 1/3 and 2*50 are computed. An uncertainty is
+  one standard deviation: with a unit, in percent (1%), or bare in the
+  unit of its value; \"700 ± 2 px\" is both. A raw value of OpenCV's
+  StereoBM or StereoSGBM is 16 times the disparity: divide it.
 
 Answer:
   The first line starts with the distance; with both methods and their
@@ -33,6 +37,14 @@ Examples:
   depth-calculator calculate --fx 700 --baseline 100 --disparity 50 \\
       --cx 640 --cy 360 --u 1000 --v 360
       where the mug is, and how far by tape: 1.574 m
+  depth-calculator calculate --w-img \"0.75 ± 0.05 mrad\" --w-real 10in
+      a target in a scope, 339 m away, give or take 23 m
+  depth-calculator calculate --fx 600 --fy 853 --w-img 100 --w-real 1.8 \\
+      --object height
+      a person who is 100 rows high, 15.35 m away
+  depth-calculator calculate --fx 152.44mm --disparity 36.25mm \\
+      --baseline 576.66ft --unit ft
+      two aerial photographs on film, 2425 ft above the point
 
 Exit status:
   0 with an answer, 2 with a one-line reason on standard error,
@@ -47,6 +59,27 @@ Example:
   depth-calculator ground --fx 700 --cx 640 --cy 360 --height 1.2 \\
       --pitch 10 --u 1100 --row 500
       3.740 m along the floor: 3.076 m ahead, 2.128 m to the right";
+
+/// Of `step`.
+pub(super) const STEP: &str = "\
+The camera goes straight towards the object. Its size need not be
+known; with --fx it is computed too. An error in a width counts as many
+times more than elsewhere as the distance is longer than the step.
+
+Example:
+  depth-calculator step --far-px 1162 --near-px 1429 --step 419.1mm \\
+      --sigma-px 3 --unit mm
+      2243 mm from the first place, give or take 32 mm";
+
+/// Of `between`.
+pub(super) const BETWEEN: &str = "\
+Both points are given as column, row and disparity in the left image,
+with commas between.
+
+Example:
+  depth-calculator between --fx 452.9 --baseline 75mm --cx 298.85 \\
+      --cy 245.52 --from 138,219,36 --to 264,216,30 --sigma-disparity 0.5
+      0.312 m, give or take 0.011 m";
 
 /// Of `q`.
 pub(super) const Q: &str = "\

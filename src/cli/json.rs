@@ -4,10 +4,12 @@ use super::ascii::in_sentence;
 use super::options::name;
 use super::warning::Warning;
 use crate::core::agreement::Verdict;
+use crate::core::angle::AngleUnit;
 use crate::core::camera::PointSolution;
+use crate::core::in_image::InImage;
 use crate::core::measured::Measured;
-use crate::core::problem::{Method, Origin};
-use crate::core::quantity::{Length, Pixels, Quantity};
+use crate::core::problem::{Method, Origin, Solved};
+use crate::core::quantity::{Length, LengthUnit, Pixels, Quantity};
 use depth_text::assess::{Assessment, Unknown};
 use depth_text::export::{Exporter, Results};
 use depth_text::field::Key;
@@ -27,7 +29,7 @@ struct Answer<'a> {
     monocular: Option<Distance>,
     combined: Option<Combined>,
     agreement: Option<Agreement>,
-    solved: Option<Solved>,
+    solved: Option<SolvedFor>,
     point: Option<Point>,
     estimated_width_px: Option<f64>,
     estimated_width_m: Option<f64>,
@@ -64,7 +66,7 @@ struct Agreement {
 }
 
 #[derive(Serialize)]
-struct Solved {
+struct SolvedFor {
     field: String,
     value: f64,
     unit: &'static str,
@@ -123,7 +125,7 @@ fn inputs(assessment: &Assessment) -> BTreeMap<String, Input> {
     let inputs = used.map(|reading| {
         let input = Input {
             value: reading.value,
-            unit: reading.key.kind.base_unit().map(Unit::symbol),
+            unit: reading.base_unit().map(Unit::symbol),
             sigma: reading.sigma.filter(|&sigma| sigma > 0.0),
         };
         (name(reading.key, Part::Value), input)
@@ -165,14 +167,19 @@ fn agreement(assessment: &Assessment) -> Option<Agreement> {
     })
 }
 
-fn solved(unknown: &Unknown) -> Option<Solved> {
+fn solved(unknown: &Unknown) -> Option<SolvedFor> {
     let found = unknown.outcome.as_ref().ok()?;
     let key = Key::from(unknown.field);
-    Some(Solved {
+    Some(SolvedFor {
         field: name(key, Part::Value),
-        value: found.value,
-        unit: key.kind.base_unit()?.symbol(),
-        sigma: sigma(*found),
+        value: found.to_base().value,
+        unit: match found {
+            Solved::InImage(InImage::Pixels(_)) => Unit::Pixel,
+            Solved::InImage(InImage::Angle(_)) => Unit::Angle(AngleUnit::Radian),
+            Solved::InImage(InImage::OnSensor(_)) | Solved::Length(_) => Unit::Length(LengthUnit::Meter),
+        }
+        .symbol(),
+        sigma: sigma(found.to_base()),
     })
 }
 

@@ -32,7 +32,12 @@ pub(super) fn page() -> std::io::Result<String> {
     commands(&root).to_writer(&mut page)?;
     page.append(&mut of_command(&root, "calculate", help::CALCULATE)?);
     // What belongs to one of the other commands stands in a section of that command.
-    for (name, more) in [("ground", help::GROUND), ("q", help::Q)] {
+    for (name, more) in [
+        ("ground", help::GROUND),
+        ("step", help::STEP),
+        ("between", help::BETWEEN),
+        ("q", help::Q),
+    ] {
         let sections = of_command(&root, name, more)?;
         let sections = String::from_utf8_lossy(&sections).replace(".SH ", ".SS ");
         page.extend_from_slice(format!(".SH {}\n{sections}", name.to_uppercase()).as_bytes());

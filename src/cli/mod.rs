@@ -2,6 +2,7 @@
 
 mod arguments;
 mod ascii;
+mod between;
 mod calculate;
 mod completions;
 mod ground;
@@ -12,6 +13,7 @@ mod options;
 mod parse;
 mod q;
 mod reply;
+mod step;
 mod text;
 mod warning;
 
@@ -76,6 +78,8 @@ fn answer(task: &Task) -> Result<Reply, String> {
     match task {
         Task::Calculate(calculate) => calculate.reply(),
         Task::Ground(ground) => ground.reply(),
+        Task::Step(step) => step.reply(),
+        Task::Between(between) => between.reply(),
         Task::Q(q) => q.reply(),
         Task::Completions { shell } => Ok(Reply::without_warnings(completions::script(*shell))),
         Task::Man => {

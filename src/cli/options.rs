@@ -2,18 +2,24 @@
 
 use crate::core::problem::{Field, Method};
 use crate::core::quantity::LengthUnit;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use crate::core::setup::{Object, Pair};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueHint};
 use depth_text::entry::{Entries, Entry};
 use depth_text::field::{Key, Section};
 use depth_text::fields;
 use depth_text::note::Part;
 use depth_text::sentences::CommandLine;
+use depth_text::style::Style;
 
 const UNCERTAINTY: &str = "Uncertainty";
 const POINT: &str = "Point in space";
 const INVERSE: &str = "Another unknown";
 const OUTPUT: &str = "Output";
+
+const SIGMA_DISPARITY: &str = "sigma-disparity";
+const SIGMA_PX: &str = "sigma-px";
 
 /// What was typed into fields by options, and how to answer.
 #[derive(Debug)]
@@ -22,6 +28,8 @@ pub(super) struct Typed {
     pub(super) typed: Vec<(Key, Part, String)>,
     /// Unit of every length in the answer.
     pub(super) unit: LengthUnit,
+    /// Whether that was asked for.
+    unit_is_given: bool,
     /// Whether to answer in JSON.
     pub(super) json: bool,
 }
@@ -32,6 +40,10 @@ pub(super) struct Calculate {
     pub(super) fields: Typed,
     /// What is solved for, where it is not the distance.
     pub(super) solve_for: Option<Key>,
+    /// What of the object is measured; `None` where that was not said.
+    pub(super) object: Option<Object>,
+    /// How the cameras stand; `None` where that was not said.
+    pub(super) pair: Option<Pair>,
 }
 
 /// What was given to `ground`.
@@ -40,9 +52,22 @@ pub(super) struct Ground {
     pub(super) fields: Typed,
 }
 
+/// What was given to `step`.
+#[derive(Debug)]
+pub(super) struct Step {
+    pub(super) fields: Typed,
+}
+
+/// What was given to `between`.
+#[derive(Debug)]
+pub(super) struct Between {
+    pub(super) fields: Typed,
+    pub(super) pair: Pair,
+}
+
 /// The fields that `calculate` has options for.
 fn calculate_fields() -> Vec<Key> {
-    let form = Key::form().filter(|key| key.section != Some(Section::Ground));
+    let form = Key::form().filter(|key| !key.section.is_some_and(Section::is_way_of_its_own));
     form.chain([fields::DISTANCE]).filter(|key| key.option.is_some()).collect()
 }
 
@@ -50,6 +75,23 @@ fn calculate_fields() -> Vec<Key> {
 fn ground_fields() -> Vec<Key> {
     let camera = [fields::FOCAL_LENGTH, fields::FY, fields::CX, fields::CY].into_iter();
     camera.chain(Section::Ground.keys()).filter(|key| key.option.is_some()).collect()
+}
+
+/// The fields that `step` has options for.
+fn step_fields() -> Vec<Key> {
+    Section::TwoShots.keys().chain([fields::FOCAL_LENGTH]).collect()
+}
+
+/// The fields that `between` has options of their own for.
+fn between_fields() -> Vec<Key> {
+    vec![
+        fields::FOCAL_LENGTH,
+        fields::FY,
+        fields::BASELINE,
+        fields::DOFFS,
+        fields::CX,
+        fields::CY,
+    ]
 }
 
 /// The inputs of which one can be solved for.
@@ -73,7 +115,7 @@ fn field_options(keys: &[Key]) -> Vec<(Key, Part, Arg)> {
         let placeholder = key.kind.placeholder().to_owned();
         let value = option(name(key, Part::Value), placeholder, field.help);
         let value = match key.section {
-            Some(Section::Point) => value.help_heading(POINT),
+            Some(Section::Point) if key.input.is_none() => value.help_heading(POINT),
             None => value.help_heading(INVERSE),
             _ => value,
         };
@@ -89,6 +131,14 @@ fn field_options(keys: &[Key]) -> Vec<(Key, Part, Arg)> {
 
 /// The name of the option that sets the value of `key` or its σ, without its dashes.
 pub(super) fn name(key: Key, part: Part) -> String {
+    if key.section == Some(Section::TwoPoints) {
+        // One option has all of a point.
+        let point = key.as_str().split('-').next().unwrap_or_default();
+        return match part {
+            Part::Value => point.to_owned(),
+            Part::Sigma => SIGMA_DISPARITY.to_owned(),
+        };
+    }
     let value = key.option.map_or(key.as_str(), |option| option.name);
     match part {
         Part::Value => value.to_owned(),
@@ -110,8 +160,26 @@ impl Typed {
         Self {
             typed: field_options(keys).into_iter().filter_map(typed).collect(),
             unit: matches.get_one::<LengthUnit>("unit").copied().unwrap_or(LengthUnit::Meter),
+            unit_is_given: matches.value_source("unit") == Some(ValueSource::CommandLine),
             json: matches.get_flag("json"),
         }
+    }
+
+    /// How results are written: in the unit that was asked for, or where none was in the next one if they are long or short in it.
+    pub(super) const fn style(&self) -> Style {
+        if self.unit_is_given {
+            Style::TERMINAL.in_unit_asked_for()
+        } else {
+            Style::TERMINAL
+        }
+    }
+
+    /// Takes the option `option` for what was typed for σ of `keys`.
+    fn sigma_of(mut self, matches: &ArgMatches, option: &str, keys: &[Key]) -> Self {
+        if let Some(text) = matches.get_one::<String>(option) {
+            self.typed.extend(keys.iter().map(|&key| (key, Part::Sigma, text.clone())));
+        }
+        self
     }
 
     /// Whether the option for the value of `key` or for its σ was given.
@@ -157,7 +225,11 @@ impl Args for Calculate {
             .value_parser(unknown_parser())
             .help("Solve for this input instead of the distance, which --distance then gives")
             .help_heading(INVERSE);
-        command.args(Typed::options(&calculate_fields())).arg(solve_for)
+        let object = choice("object", Object::ALL.map(Object::key), Object::default().key())
+            .help("What of the object --w-img and --w-real are: heights go with --fy, a ball is wider than it looks where it is near");
+        command
+            .args(Typed::options(&calculate_fields()))
+            .args([object, pair_option(), solve_for])
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -170,6 +242,8 @@ impl FromArgMatches for Calculate {
         Ok(Self {
             fields: Typed::from(matches, &calculate_fields()),
             solve_for: matches.get_one::<Key>("solve-for").copied(),
+            object: chosen(matches, "object", Object::ALL, Object::key),
+            pair: chosen(matches, "pair", Pair::ALL, Pair::key),
         })
     }
 
@@ -202,13 +276,121 @@ impl FromArgMatches for Ground {
     }
 }
 
+impl Args for Step {
+    fn augment_args(command: Command) -> Command {
+        let sigma = Arg::new(SIGMA_PX)
+            .long(SIGMA_PX)
+            .value_name("PX|%")
+            .help("1 σ of both widths; without any it is 1 px")
+            .help_heading(UNCERTAINTY);
+        command.args(Typed::options(&step_fields())).arg(sigma)
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for Step {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let fields = Typed::from(matches, &step_fields());
+        Ok(Self {
+            fields: fields.sigma_of(matches, SIGMA_PX, &[fields::FAR_WIDTH, fields::NEAR_WIDTH]),
+        })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+/// The fields of the points of `between`, by their option.
+const POINTS: [(&str, [Key; 3]); 2] = [
+    ("from", [fields::FROM_COLUMN, fields::FROM_ROW, fields::FROM_DISPARITY]),
+    ("to", [fields::TO_COLUMN, fields::TO_ROW, fields::TO_DISPARITY]),
+];
+
+impl Args for Between {
+    fn augment_args(command: Command) -> Command {
+        let point = |name: &'static str, help| Arg::new(name).long(name).value_name("U,V,D").value_parser(point_parser).help(help);
+        let sigma = Arg::new(SIGMA_DISPARITY)
+            .long(SIGMA_DISPARITY)
+            .value_name("PX|%")
+            .help("1 σ of both disparities, such as 0.5")
+            .help_heading(UNCERTAINTY);
+        command.args(Typed::options(&between_fields())).args([
+            point("from", "The first point: column, row and disparity, such as 138,219,36"),
+            point("to", "The second point"),
+            pair_option(),
+            sigma,
+        ])
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for Between {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let mut typed = Typed::from(matches, &between_fields());
+        for (option, keys) in POINTS {
+            let texts = matches.get_one::<[String; 3]>(option);
+            let texts = texts.into_iter().flatten().cloned();
+            typed
+                .typed
+                .extend(keys.into_iter().zip(texts).map(|(key, text)| (key, Part::Value, text)));
+        }
+        Ok(Self {
+            fields: typed.sigma_of(matches, SIGMA_DISPARITY, &[fields::FROM_DISPARITY, fields::TO_DISPARITY]),
+            pair: chosen(matches, "pair", Pair::ALL, Pair::key).unwrap_or_default(),
+        })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+/// The three numbers of a point, between commas; between semicolons where the commas are those of the numbers.
+fn point_parser(text: &str) -> Result<[String; 3], String> {
+    let between = if text.contains(';') { ';' } else { ',' };
+    let parts: Vec<String> = text.split(between).map(|part| part.trim().to_owned()).collect();
+    parts.try_into().map_err(|_| CommandLine::NotAPoint.to_string())
+}
+
+fn pair_option() -> Arg {
+    choice("pair", Pair::ALL.map(Pair::key), Pair::default().key())
+        .help("How the cameras stand: side by side, or one above the other, where the disparity is counted in rows and goes with --fy")
+}
+
+/// An option with one of `names`, of which `usual` is meant without it.
+fn choice<const N: usize>(option: &'static str, names: [&'static str; N], usual: &'static str) -> Arg {
+    Arg::new(option)
+        .long(option)
+        .value_name("WHICH")
+        .value_parser(PossibleValuesParser::new(names))
+        .default_value(usual)
+}
+
+/// What was chosen by `option`; `None` where nothing was.
+fn chosen<T: Copy, const N: usize>(matches: &ArgMatches, option: &str, all: [T; N], key: fn(T) -> &'static str) -> Option<T> {
+    if matches.value_source(option) != Some(ValueSource::CommandLine) {
+        return None;
+    }
+    let name = matches.get_one::<String>(option)?;
+    all.into_iter().find(|&one| key(one) == name)
+}
+
 fn unit_option() -> Arg {
     Arg::new("unit")
         .long("unit")
         .default_value(LengthUnit::Meter.symbol())
         .value_name("UNIT")
         .value_parser(unit_parser())
-        .help("Unit of every length in the answer; JSON stays in meters")
+        .help("Unit of every length in the answer; without it meters, or km or less where these are too short or too long. JSON stays in meters")
         .help_heading(OUTPUT)
 }
 
@@ -222,7 +404,16 @@ fn json_option() -> Arg {
 
 /// Reads the symbol of a unit of length.
 pub(super) fn unit_parser() -> impl TypedValueParser<Value = LengthUnit> {
-    PossibleValuesParser::new(LengthUnit::ALL.map(LengthUnit::symbol)).try_map(|symbol| {
+    let value = |unit: LengthUnit| match unit {
+        LengthUnit::Micrometer => PossibleValue::new(unit.symbol()).alias("um"),
+        _ => PossibleValue::new(unit.symbol()),
+    };
+    PossibleValuesParser::new(LengthUnit::ALL.map(value)).try_map(|symbol| {
+        let symbol = if symbol == "um" {
+            LengthUnit::Micrometer.symbol().to_owned()
+        } else {
+            symbol
+        };
         let unit = LengthUnit::ALL.into_iter().find(|unit| unit.symbol() == symbol);
         unit.ok_or("not a unit of length")
     })
@@ -242,7 +433,7 @@ pub(super) fn method_of(key: Key) -> Option<Method> {
         method
             .own_fields()
             .into_iter()
-            .chain([method.optional_field()])
+            .chain([method.own_optional_field()])
             .any(|field| key == field)
     })
 }

@@ -13,35 +13,36 @@ use depth_text::sentences::Statement;
 use depth_text::style::Style;
 use std::convert::Infallible;
 
-const STYLE: Style = Style::TERMINAL;
-
-/// Lines with the lengths in the unit chosen, numbers in ASCII.
-pub(super) struct Text;
+/// Lines with the lengths in the unit chosen, numbers without the signs of print.
+pub(super) struct Text {
+    pub(super) style: Style,
+}
 
 impl Exporter for Text {
     type Error = Infallible;
 
     fn export(&self, &Results { assessment, unit, .. }: &Results<'_>) -> Result<String, Infallible> {
         let solution = &assessment.solution;
+        let style = self.style;
         let mut lines = Vec::new();
         if let Some(unknown) = &assessment.unknown {
-            lines.extend(solved_for(unknown, unit));
+            lines.extend(solved_for(style, unknown, unit));
         }
         let combined = solution.combined;
         if let Some(combined) = combined {
-            lines.push(format!("{} ({})", STYLE.measured(combined, unit), Statement::Combined));
+            lines.push(format!("{} ({})", style.measured(combined, unit), Statement::Combined));
             lines.extend(indented(agreement(assessment)));
         }
         for method in Method::ALL {
-            lines.extend(of_method(assessment, method, unit).unwrap_or_default());
+            lines.extend(of_method(style, assessment, method, unit).unwrap_or_default());
         }
         if combined.is_none() {
             lines.extend(indented(agreement(assessment)));
         }
-        lines.extend(widths(assessment, unit));
+        lines.extend(widths(style, assessment, unit));
         if let Some((origin, point)) = &assessment.geometry.point {
-            let depth = STYLE.measured(point.z, unit);
-            let point = report::point(STYLE, point, unit).map(|(name, value)| format!("{name}: {value}"));
+            let depth = style.measured(point.z, unit);
+            let point = report::point(style, point, unit).map(|(name, value)| format!("{name}: {value}"));
             // What was asked for with a range alone comes first.
             if *origin == PointOrigin::Range {
                 lines.push(format!("{depth} ({})", report::DEPTH_OF_RANGE));
@@ -55,8 +56,8 @@ impl Exporter for Text {
 }
 
 /// "35.00 px (the disparity)"
-fn solved_for(unknown: &Unknown, unit: LengthUnit) -> Option<String> {
-    let value = report::unknown(STYLE, unknown, unit)?;
+fn solved_for(style: Style, unknown: &Unknown, unit: LengthUnit) -> Option<String> {
+    let value = report::unknown(style, unknown, unit)?;
     Some(format!("{value} ({})", Key::from(unknown.field).noun))
 }
 
@@ -65,43 +66,44 @@ fn indented(lines: Vec<String>) -> impl Iterator<Item = String> {
 }
 
 /// The distance of `method`, how it was computed and how sure it is; `None` without one.
-fn of_method(assessment: &Assessment, method: Method, unit: LengthUnit) -> Option<Vec<String>> {
+fn of_method(style: Style, assessment: &Assessment, method: Method, unit: LengthUnit) -> Option<Vec<String>> {
     let solution = &assessment.solution;
     assessment.distance(method)?;
-    let value = STYLE.distance(solution, method, unit);
+    let value = style.distance(solution, method, unit);
     let mut below = Vec::new();
-    if let Some(numbers) = STYLE.numbers_in_formula(assessment, method) {
+    if let Some(numbers) = style.numbers_in_formula(assessment, method) {
         below.push(format!("{} = {numbers}", formula(solution, method)));
     }
+    below.extend(report::remarks(assessment, method).iter().map(Statement::to_string));
     if let Some(uncertainty) = solution.uncertainty(method) {
-        below.extend(certainty(STYLE, uncertainty, unit));
+        below.extend(certainty(style, uncertainty, unit));
     }
     if method == Method::Stereo
-        && let Some(range) = STYLE.one_pixel_range(solution, unit)
+        && let Some(range) = style.one_pixel_range(solution, unit)
     {
         below.push(format!("{ONE_PIXEL}: {range}"));
     }
     if method == Method::Monocular
         && let Some(facing) = assessment.geometry.facing
     {
-        below.push(format!("{WITHOUT_TILT}: {}", STYLE.length(Some(facing), unit)));
+        below.push(format!("{WITHOUT_TILT}: {}", style.length(Some(facing), unit)));
     }
     let first = format!("{value} ({})", method.name().to_lowercase());
     Some(std::iter::once(first).chain(indented(below)).collect())
 }
 
 /// What the stereo distance predicts from one width for the other. The monocular distance would only repeat both.
-fn widths(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
+fn widths(style: Style, assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
     let solution = &assessment.solution;
     let mut lines = Vec::new();
     if solution.stereo.distance().is_none() {
         return lines;
     }
     if let Some(width) = solution.estimated_width_px {
-        lines.push(format!("{PREDICTED_WIDTH_PX}: {} px", STYLE.number(Some(width.px()))));
+        lines.push(format!("{PREDICTED_WIDTH_PX}: {} px", style.number(Some(width.px()))));
     }
     if let Some(width) = solution.estimated_width {
-        lines.push(format!("{PREDICTED_WIDTH_M}: {}", STYLE.length(Some(width), unit)));
+        lines.push(format!("{PREDICTED_WIDTH_M}: {}", style.length(Some(width), unit)));
     }
     if solution.width_discrepancy().is_some() {
         lines.push(format!("  {}", Statement::widths(assessment)));

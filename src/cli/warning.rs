@@ -23,6 +23,13 @@ impl Warning {
         }
     }
 
+    pub(super) fn of_option(option: &str, sentence: &impl ToString) -> Self {
+        Self {
+            field: Some(option.to_owned()),
+            ..Self::of_results(sentence)
+        }
+    }
+
     pub(super) fn of_results(sentence: &impl ToString) -> Self {
         Self {
             field: None,

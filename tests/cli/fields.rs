@@ -2,27 +2,37 @@
 //! none of these can forget it.
 
 use super::{run, run_words};
+use depth_calculator::core::angle::AngleUnit;
 use depth_calculator::core::quantity::LengthUnit;
 use depth_text::entry::{Entries, Entry};
 use depth_text::export::{Exporter as _, Results, Text};
 use depth_text::field::{Key, Kind, Section};
-use depth_text::fields::{FLOOR_ANGLE, FLOOR_ROW, TABLE, TARGET_HEIGHT};
+use depth_text::fields::{FLOOR_ANGLE, FLOOR_ROW, TABLE, TARGET_HEIGHT, ZERO};
 use depth_text::form::Inputs;
 use depth_text::link;
 use depth_text::reading::{read, read_with_sigma};
 use depth_text::unit::Unit;
 
 /// Every unit, with the words for it.
-const UNITS: [(Unit, &[&str]); 9] = [
+const UNITS: [(Unit, &[&str]); 18] = [
     (Unit::Pixel, &["px", "pixels"]),
     (Unit::Length(LengthUnit::Millimeter), &["mm", "millimeters"]),
     (Unit::Length(LengthUnit::Centimeter), &["cm", "centimeter"]),
     (Unit::Length(LengthUnit::Meter), &["m", "meters"]),
-    (Unit::Length(LengthUnit::Inch), &["in", "\""]),
+    (Unit::Length(LengthUnit::Kilometer), &["km", "kilometers"]),
+    (Unit::Length(LengthUnit::Inch), &["in", "inch"]),
     (Unit::Length(LengthUnit::Foot), &["ft", "feet"]),
-    (Unit::Micrometer, &["µm", "μm", "um", "microns"]),
-    (Unit::Degree, &["°", "deg", "degrees"]),
-    (Unit::Radian, &["rad", "radians"]),
+    (Unit::Length(LengthUnit::Yard), &["yd", "yards"]),
+    (Unit::Length(LengthUnit::Mile), &["mi", "miles"]),
+    (Unit::Length(LengthUnit::Micrometer), &["µm", "μm", "um", "microns"]),
+    (Unit::Length(LengthUnit::Nanometer), &["nm", "nanometers"]),
+    (Unit::Angle(AngleUnit::Degree), &["°", "deg", "degrees"]),
+    (Unit::Angle(AngleUnit::Arcminute), &["arcmin", "arcminutes"]),
+    (Unit::Angle(AngleUnit::Arcsecond), &["arcsec", "arcseconds"]),
+    (Unit::Angle(AngleUnit::Radian), &["rad", "radians"]),
+    (Unit::Angle(AngleUnit::Milliradian), &["mrad", "milliradians"]),
+    (Unit::Angle(AngleUnit::MinuteOfAngle), &["MOA", "moa"]),
+    (Unit::Angle(AngleUnit::NatoMil), &["mil", "mils", "NATO mil"]),
 ];
 
 /// The fields with a number in them.
@@ -32,8 +42,8 @@ fn numbers() -> impl Iterator<Item = Key> {
 
 /// Something that differs from field to field.
 fn some_number(key: Key) -> String {
-    // Below the camera, so that a ray that goes down meets it.
-    if key == TARGET_HEIGHT {
+    // Below the camera, so that a ray that goes down meets it; nearer than the object.
+    if key == TARGET_HEIGHT || key == ZERO {
         return "1".to_owned();
     }
     let position = TABLE.iter().position(|&other| other == key).unwrap();
@@ -44,7 +54,7 @@ fn some_number(key: Key) -> String {
 fn filled(key: Key) -> Entry {
     Entry {
         text: some_number(key),
-        unit: key.is_length().then_some(LengthUnit::Inch),
+        unit: key.is_length().then_some(Unit::Length(LengthUnit::Inch)),
         sigma: if key.has_sigma { "1 %".into() } else { String::new() },
         ..Entry::default()
     }
@@ -115,7 +125,7 @@ fn every_field_is_everywhere(inputs: &Inputs, left_out: Key) {
 /// What a program reads has every field that was given, by the name of its option and in its base unit.
 #[test]
 fn every_field_of_calculate_is_in_its_json() {
-    let keys = || Key::form().filter(|key| key.section != Some(Section::Ground));
+    let keys = || Key::form().filter(|key| !key.section.is_some_and(Section::is_way_of_its_own));
     let mut arguments = vec!["calculate".to_owned(), "--json".to_owned()];
     for key in keys() {
         let option = key.option.unwrap().name;
@@ -129,7 +139,8 @@ fn every_field_of_calculate_is_in_its_json() {
         let number: f64 = some_number(key).parse().unwrap();
         let value = key.kind.default_unit().map_or(number, |unit| unit.to_base(number));
         assert!(close(input["value"].as_f64().unwrap(), value), "{key:?}: {input}");
-        assert_eq!(input["unit"].as_str(), key.kind.base_unit().map(Unit::symbol), "{key:?}");
+        let base = key.kind.default_unit().map(Unit::base);
+        assert_eq!(input["unit"].as_str(), base.map(Unit::symbol), "{key:?}");
         assert_eq!(input["sigma"].is_number(), key.has_sigma, "{key:?}: {input}");
     }
 }
@@ -138,11 +149,12 @@ fn every_field_of_calculate_is_in_its_json() {
 fn every_field_of_the_form_has_its_options_with_their_help_completion_and_manual() {
     let text = |arguments: &str| String::from_utf8(run(arguments).stdout).unwrap();
     let (completions, manual) = (text("completions bash"), text("man"));
-    for key in Key::form() {
-        let command = if key.section == Some(Section::Ground) {
-            "ground"
-        } else {
-            "calculate"
+    // Three fields of a point have one option.
+    for key in Key::form().filter(|key| key.section != Some(Section::TwoPoints)) {
+        let command = match key.section {
+            Some(Section::Ground) => "ground",
+            Some(Section::TwoShots) => "step",
+            _ => "calculate",
         };
         let help = text(&format!("{command} --help"));
         let option = key.option.unwrap();
@@ -192,7 +204,7 @@ fn every_field_reads_its_units_and_refuses_all_others() {
 #[test]
 fn an_unknown_unit_is_refused_everywhere() {
     for key in numbers() {
-        for unit in ["C", "K", "km", "pxl", "furlongs", "%", "kg", "mp", "µ", "x"] {
+        for unit in ["C", "K", "kmh", "pxl", "furlongs", "%", "kg", "mp", "µ", "x"] {
             let wrong = Entry::new(format!("700 {unit}"), None);
             assert!(read(key, &wrong).is_err(), "{key:?} takes {unit}");
             if key.has_sigma && unit != "%" {
@@ -221,7 +233,9 @@ fn a_sigma_is_read_in_every_unit_of_its_field_and_in_percent_of_the_value() {
         for same in ["0.03", "± 0.03", "1 %", "±1%"] {
             assert!(close(sigma(same).unwrap(), bare(0.03)), "{key:?} {same}");
         }
-        for (unit, words) in UNITS.iter().filter(|(unit, _)| key.kind.reads(*unit)) {
+        // Those of the kind of the value.
+        let base = key.kind.default_unit().map(Unit::base);
+        for (unit, words) in UNITS.iter().filter(|(unit, _)| Some(unit.base()) == base) {
             assert!(close(sigma(&format!("2 {}", words[0])).unwrap(), unit.to_base(2.0)), "{key:?}");
         }
     }

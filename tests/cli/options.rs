@@ -10,7 +10,7 @@ fn what_cannot_be_answered_is_refused_in_one_line_with_status_2() {
     assert!(refused("calculate --fx 700 --baseline 100 --disparity 0").contains("infinitely far away"));
     assert!(refused("calculate --fx 700 --baseline 100 --disparity=-50").contains("swapped"));
     assert!(refused("calculate --fx 700 --baseline 100 --disparity 50 --sigma-fx=-1").contains("negative"));
-    assert!(refused("calculate --fx 700 --baseline 100px --disparity 50").contains("mm, cm, m, in or ft"));
+    assert!(refused("calculate --fx 700 --baseline 100px --disparity 50").contains("mm, cm, m, km, in, ft, yd or mi"));
     assert!(refused("calculate --focal 700").contains("--focal"));
     assert!(refused("frobnicate").contains("frobnicate"));
 }
@@ -127,7 +127,7 @@ fn a_forgotten_value_is_not_the_next_option() {
 fn a_refusal_keeps_the_tip_that_helps() {
     assert!(refused("calculate --fxx 7").contains("a similar argument exists: '--fx'"));
     assert!(refused("calculates").contains("a similar subcommand exists: 'calculate'"));
-    assert!(refused("calculate --unit km").contains("[possible values: mm, cm, m, in, ft]"));
+    assert!(refused("calculate --unit parsec").contains("[possible values: nm, µm, mm, cm, m, km, in, ft, yd, mi]"));
     assert!(refused("completions").contains("<SHELL>"));
     assert!(refused("completions tcsh").contains("bash"));
     for arguments in ["calculate", "calculate --", "calculate --json"] {
@@ -141,8 +141,8 @@ fn a_refusal_keeps_the_tip_that_helps() {
 
 #[test]
 fn a_command_that_there_is_not_is_refused_with_those_that_there_are() {
-    assert!(refused("frobnicate").contains("the commands are calculate, ground, q, completions, man (see --help)"));
-    assert!(refused("calculates").contains("the commands are calculate, ground, q, completions, man (see --help)"));
+    assert!(refused("frobnicate").contains("the commands are calculate, ground, step, between, q, completions, man (see --help)"));
+    assert!(refused("calculates").contains("the commands are calculate, ground, step, between, q, completions, man (see --help)"));
 }
 
 /// A variable of a script that was not set, behind the sign.

@@ -13,7 +13,7 @@ fn help_teaches() {
         "1.400 m away",
         "StereoSGBM",
         "JSON stays in meters",
-        "[possible values: mm, cm, m, in, ft]",
+        "[possible values: nm, µm, mm, cm, m, km, in, ft, yd, mi]",
     ] {
         assert!(text.contains(taught), "{taught}");
     }
@@ -122,7 +122,7 @@ fn bash_completes() {
     );
     assert_eq!(
         offered(&["depth-calculator", "calculate", "--unit", ""]),
-        ["mm", "cm", "m", "in", "ft"]
+        ["nm", "µm", "mm", "cm", "m", "km", "in", "ft", "yd", "mi"]
     );
 }
 

@@ -103,6 +103,25 @@ fn large_and_small_distances_are_written_out() {
     assert_eq!(first("--fx 700 --baseline 0.05mm --disparity 50"), "0.0007000 m (stereo)");
 }
 
+#[test]
+fn lengths_beyond_that_take_the_next_unit_or_a_power_of_ten() {
+    let first = |arguments: &str| text(&format!("calculate {arguments}")).0[0].clone();
+    for (arguments, distance) in [
+        ("--fx 1000 --baseline 384.4km --disparity 1", "384400 km"),
+        ("--fx 2000 --baseline 100km --disparity 1", "200000 km"),
+        ("--fx 1000 --baseline 1000000mi --disparity 1", "1.609 × 10¹² m"),
+        ("--fx 1000 --baseline 7nm --disparity 1000", "7.000 nm"),
+        ("--fx 1000 --baseline 0.014nm --disparity 1000", "1.400 × 10⁻¹¹ m"),
+        (
+            "--fx 1000 --baseline 0.014nm --disparity 1000 --sigma-disparity 1%",
+            "(1.400 ± 0.014) × 10⁻¹¹ m",
+        ),
+        ("--fx 1000 --baseline 1000mi --disparity 1 --unit mi", "1000000 mi"),
+    ] {
+        assert_eq!(first(arguments), format!("{distance} (stereo)"), "{arguments}");
+    }
+}
+
 /// The lengths of the mug, by unit.
 const LENGTHS: [(&str, [&str; 3]); 5] = [
     ("mm", ["1400 ± 15 mm", "1384 to 1416 mm", "300.0 mm"]),

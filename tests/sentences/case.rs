@@ -1,6 +1,7 @@
 //! A case as it stands in its file.
 
 use depth_calculator::core::problem::Method;
+use depth_calculator::core::setup::{Object, Pair};
 use depth_text::entry::Entries;
 use depth_text::field::Key;
 use depth_text::form::Inputs;
@@ -33,7 +34,7 @@ pub fn cases(text: &str) -> Vec<Case<'_>> {
 impl Case<'_> {
     pub fn entries(&self) -> Entries {
         let mut entries = Entries::default();
-        for line in self.typed.lines() {
+        for line in self.typed.lines().filter(|line| self.choice(line).is_none()) {
             let (name, text) = line.split_once('=').unwrap_or_else(|| panic!("{line:?} is not: field = text"));
             let text = text.trim().to_owned();
             let (is_sigma, name) = name.trim().strip_prefix("± ").map_or((false, name.trim()), |name| (true, name));
@@ -41,6 +42,17 @@ impl Case<'_> {
             *(if is_sigma { &mut entry.sigma } else { &mut entry.text }) = text;
         }
         entries
+    }
+
+    /// What is chosen in a line "object: height".
+    fn choice<'b>(&self, line: &'b str) -> Option<(&'b str, &'b str)> {
+        let (name, chosen) = line.split_once(": ")?;
+        ["object", "pair"].contains(&name).then_some((name, chosen))
+    }
+
+    fn chosen(&self, name: &str) -> Option<&str> {
+        let mut choices = self.typed.lines().filter_map(|line| self.choice(line));
+        choices.find(|(choice, _)| *choice == name).map(|(_, chosen)| chosen)
     }
 
     pub fn inputs(&self) -> Inputs {
@@ -53,6 +65,14 @@ impl Case<'_> {
             entries: self.entries(),
             with_uncertainty: true,
             unknown,
+            object: Object::ALL
+                .into_iter()
+                .find(|one| self.chosen("object") == Some(one.key()))
+                .unwrap_or_default(),
+            pair: Pair::ALL
+                .into_iter()
+                .find(|one| self.chosen("pair") == Some(one.key()))
+                .unwrap_or_default(),
         }
     }
 }

@@ -8,6 +8,7 @@
 //! - `[form]`: `field = text`, and `± field = text` for its σ. A field is named by its key. `[form, solved for b]` solves
 //!   the stereo equation for the field b, or that of one camera if it is one of its fields. `[form, to be calculated]` adds
 //!   what is said when something is missing, `[form, results]` what is said of the results.
+//!   `object: height` and `pair: vertical` are what is chosen.
 //! - `[way KEY]`: the fields that this way to a number asks for.
 //! - `[Q matrix]`: the text of a matrix.
 //! - `[command line]`: the arguments; with `[command line, disk full]` the answer cannot be written.

@@ -2,11 +2,12 @@
 
 use crate::case::{Case, cases};
 use depth_calculator::core::problem::Method;
+use depth_calculator::core::quantity::Length;
 use depth_text::field::Key;
 use depth_text::note::{Issue, Note, Part, Severity};
-use depth_text::q_matrix;
 use depth_text::sentences::{CommandLine, Statement};
-use depth_text::ways::{DISPARITIES, FOCAL_LENGTHS, Way};
+use depth_text::ways::{BASELINES, DISPARITIES, FOCAL_LENGTHS, Way};
+use depth_text::{q_matrix, report};
 use std::collections::BTreeSet;
 use std::fmt::Debug;
 
@@ -57,8 +58,9 @@ impl Said {
             "command line" => self.arguments(case),
             way => {
                 let key = way.strip_prefix("way ").unwrap_or_else(|| panic!("what is [{way}]?"));
-                let way = Way::named(FOCAL_LENGTHS, key).or_else(|| Way::named(DISPARITIES, key)).unwrap();
-                for note in &way.solve(&case.entries()).notes {
+                let mut tables = [FOCAL_LENGTHS, BASELINES, DISPARITIES].into_iter();
+                let way = tables.find_map(|ways| Way::named(ways, key)).unwrap();
+                for note in &way.solve(&case.entries(), Length::from_m(0.0)).notes {
                     self.note(note);
                 }
             }
@@ -92,6 +94,12 @@ impl Said {
                 self.statement(&Statement::SeeNote { key });
             }
             self.statement(&Statement::widths(&assessment));
+            for remark in Method::ALL.into_iter().flat_map(|method| report::remarks(&assessment, method)) {
+                self.statement(&remark);
+            }
+            if assessment.geometry.two_shots.is_some_and(|shots| shots.is_one_pixel_each) {
+                self.statement(&Statement::OnePixelEach);
+            }
             let is_poor = |method| {
                 solution
                     .uncertainty(method)
@@ -197,8 +205,12 @@ pub fn assert_complete(variants: &BTreeSet<String>, command_line: &str) {
         CommandLine::UnusedWithAngle,
         CommandLine::UnusedFocalLength,
         CommandLine::NoKnownDistance,
+        CommandLine::UnusedChoice { method: Method::Stereo },
+        CommandLine::UnusedBesideAngle,
+        CommandLine::UnusedFy,
+        CommandLine::NotAPoint,
         CommandLine::WhichEquation,
-        CommandLine::NoGround {
+        CommandLine::NoWay {
             options: vec!["cy".into(), "pitch".into(), "row".into()],
         },
         CommandLine::UnreadableFile {

@@ -28,6 +28,12 @@ pub enum Term {
     Pitch,
     /// How far a ray points below the optical axis.
     BelowAxis,
+    /// How far the camera was moved between two photographs.
+    Step,
+    /// The width in the photograph that was taken farther away.
+    FarWidth,
+    /// The width in the photograph that was taken nearer.
+    NearWidth,
 }
 
 /// Why a value cannot be used.
@@ -43,6 +49,13 @@ pub enum Refusal {
     TooExtreme,
     /// An angle of 90° or more: a target turned so far shows no width.
     TurnedAway,
+    /// An angle of 180° or more: nothing in a picture subtends so much.
+    TooWide,
+    /// A length on the sensor beside pixels, or pixels beside lengths on the sensor: without the size of a pixel they have nothing
+    /// to do with each other.
+    OtherUnit,
+    /// Distances are counted from a place that is as far away as the object, or farther.
+    BehindZero,
 }
 
 /// Why a distance, or another unknown, cannot be computed.

@@ -44,14 +44,26 @@ impl Method {
         }
     }
 
-    /// The input that may be left out: doffs, or the tilt of the object.
+    /// The inputs that may be left out, each with a value that it has then.
     ///
     /// ```
     /// use depth_core::problem::{Field, Method};
     ///
-    /// assert_eq!(Method::Stereo.optional_field(), Field::Doffs);
+    /// assert!(Method::Stereo.optional_fields().contains(&Field::Doffs));
+    /// assert!(Method::Monocular.optional_fields().contains(&Field::Tilt));
     /// ```
-    pub const fn optional_field(self) -> Field {
+    pub const fn optional_fields(self) -> [Field; 4] {
+        [self.own_optional_field(), Field::Lens, Field::Fy, Field::Zero]
+    }
+
+    /// That of them which only this method uses: doffs, or the tilt of the object.
+    ///
+    /// ```
+    /// use depth_core::problem::{Field, Method};
+    ///
+    /// assert_eq!(Method::Stereo.own_optional_field(), Field::Doffs);
+    /// ```
+    pub const fn own_optional_field(self) -> Field {
         match self {
             Self::Stereo => Field::Doffs,
             Self::Monocular => Field::Tilt,
@@ -68,7 +80,7 @@ impl Method {
     /// assert_eq!(Method::Monocular.unknowns().last(), Some(Field::RealWidth));
     /// ```
     pub fn unknowns(self) -> impl Iterator<Item = Field> {
-        let doffs = Some(self.optional_field()).filter(|&field| field != Field::Tilt);
+        let doffs = Some(self.own_optional_field()).filter(|&field| field != Field::Tilt);
         self.fields().into_iter().chain(doffs)
     }
 }

@@ -74,11 +74,16 @@ impl Length {
     pub fn new(value: f64, unit: LengthUnit) -> Self {
         Self(match unit {
             // Dividing by a power of ten rounds once, so that 100 mm is exactly the f64 nearest to 0.1.
+            LengthUnit::Nanometer => value / 1e9,
+            LengthUnit::Micrometer => value / 1e6,
             LengthUnit::Millimeter => value / 1000.0,
             LengthUnit::Centimeter => value / 100.0,
             LengthUnit::Meter => value,
+            LengthUnit::Kilometer => value * 1000.0,
             LengthUnit::Inch => value * METERS_PER_INCH,
             LengthUnit::Foot => value * METERS_PER_FOOT,
+            LengthUnit::Yard => value * METERS_PER_YARD,
+            LengthUnit::Mile => value * METERS_PER_MILE,
         })
     }
 
@@ -102,11 +107,16 @@ impl Length {
     /// ```
     pub fn in_unit(self, unit: LengthUnit) -> f64 {
         match unit {
+            LengthUnit::Nanometer => self.0 * 1e9,
+            LengthUnit::Micrometer => self.0 * 1e6,
             LengthUnit::Millimeter => self.0 * 1000.0,
             LengthUnit::Centimeter => self.0 * 100.0,
             LengthUnit::Meter => self.0,
+            LengthUnit::Kilometer => self.0 / 1000.0,
             LengthUnit::Inch => self.0 / METERS_PER_INCH,
             LengthUnit::Foot => self.0 / METERS_PER_FOOT,
+            LengthUnit::Yard => self.0 / METERS_PER_YARD,
+            LengthUnit::Mile => self.0 / METERS_PER_MILE,
         }
     }
 }
@@ -115,6 +125,10 @@ impl Length {
 const METERS_PER_INCH: f64 = 0.0254;
 /// Exact by definition: international yard and pound agreement, 1959.
 const METERS_PER_FOOT: f64 = 0.3048;
+/// Exact by definition: international yard and pound agreement, 1959.
+const METERS_PER_YARD: f64 = 0.9144;
+/// Exact by definition: 1760 yards.
+const METERS_PER_MILE: f64 = 1609.344;
 
 /// A distance in the image plane, in pixels. Also the unit of a focal length in the pinhole model.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
@@ -148,6 +162,12 @@ impl Pixels {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum LengthUnit {
+    /// nm
+    #[cfg_attr(feature = "serde", serde(rename = "nm"))]
+    Nanometer,
+    /// µm
+    #[cfg_attr(feature = "serde", serde(rename = "µm"))]
+    Micrometer,
     /// mm
     #[cfg_attr(feature = "serde", serde(rename = "mm"))]
     Millimeter,
@@ -157,17 +177,40 @@ pub enum LengthUnit {
     /// m
     #[cfg_attr(feature = "serde", serde(rename = "m"))]
     Meter,
+    /// km
+    #[cfg_attr(feature = "serde", serde(rename = "km"))]
+    Kilometer,
     /// in
     #[cfg_attr(feature = "serde", serde(rename = "in"))]
     Inch,
     /// ft
     #[cfg_attr(feature = "serde", serde(rename = "ft"))]
     Foot,
+    /// yd
+    #[cfg_attr(feature = "serde", serde(rename = "yd"))]
+    Yard,
+    /// mi
+    #[cfg_attr(feature = "serde", serde(rename = "mi"))]
+    Mile,
 }
 
 impl LengthUnit {
-    /// Every unit, in the order in which menus list them.
-    pub const ALL: [Self; 5] = [Self::Millimeter, Self::Centimeter, Self::Meter, Self::Inch, Self::Foot];
+    /// Every unit, the metric ones first, each system from small to large.
+    pub const ALL: [Self; 10] = [
+        Self::Nanometer,
+        Self::Micrometer,
+        Self::Millimeter,
+        Self::Centimeter,
+        Self::Meter,
+        Self::Kilometer,
+        Self::Inch,
+        Self::Foot,
+        Self::Yard,
+        Self::Mile,
+    ];
+
+    /// The units that objects and baselines are measured in every day; a slip is from one of these to another.
+    pub const COMMON: [Self; 5] = [Self::Millimeter, Self::Centimeter, Self::Meter, Self::Inch, Self::Foot];
 
     /// The unit's symbol, as written after a number.
     ///
@@ -178,11 +221,16 @@ impl LengthUnit {
     /// ```
     pub const fn symbol(self) -> &'static str {
         match self {
+            Self::Nanometer => "nm",
+            Self::Micrometer => "µm",
             Self::Millimeter => "mm",
             Self::Centimeter => "cm",
             Self::Meter => "m",
+            Self::Kilometer => "km",
             Self::Inch => "in",
             Self::Foot => "ft",
+            Self::Yard => "yd",
+            Self::Mile => "mi",
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Two parallel, rectified cameras: depth from disparity.
 
+use crate::angle::Angle;
 use crate::arithmetic::times_over;
 use crate::quantity::{Length, Pixels};
 
@@ -31,4 +32,25 @@ pub fn depth(focal_length: Pixels, baseline: Length, disparity: Pixels) -> Lengt
 /// ```
 pub fn disparity(focal_length: Pixels, baseline: Length, depth: Length) -> Pixels {
     Pixels::new(times_over(focal_length.px(), baseline.m(), depth.m()))
+}
+
+/// The part of a baseline that counts where it is not square to the line of sight: b·sin(angle between the two).
+///
+/// `None` where nothing of it is left: an angle of 0° or 180° and beyond.
+///
+/// ```
+/// use depth_core::angle::Angle;
+/// use depth_core::quantity::Length;
+/// use depth_core::stereo::effective_baseline;
+///
+/// // 100 m at 60°.
+/// let b = effective_baseline(Length::from_m(100.0), Angle::from_degrees(60.0)).unwrap();
+/// assert!((b.m() - 86.6025).abs() < 1e-4);
+/// ```
+///
+/// Source: the component of the baseline in the image plane; triangulation from two stations by the law of sines, for a target that
+/// is far away compared with the baseline.
+pub fn effective_baseline(baseline: Length, angle: Angle) -> Option<Length> {
+    let is_between = angle.radians() > 0.0 && angle.radians() < std::f64::consts::PI;
+    is_between.then(|| Length::from_m(baseline.m() * angle.radians().sin()))
 }

@@ -6,6 +6,7 @@
 //! is why [`Model::interval`] is the honest answer and [`Model::relative_sigma`] its small-σ limit.
 
 use crate::arithmetic::root_sum_of_squares;
+use crate::field::Field;
 use crate::measured::Measured;
 use crate::quantity::Length;
 
@@ -46,12 +47,12 @@ impl Model {
     /// # Ok::<(), depth_core::judge::Unsolvable>(())
     /// ```
     pub fn depth_with_sigma(&self) -> Measured<Length> {
-        let depth = self.depth().m();
-        Measured::from_base(depth, depth * self.relative_sigma())
+        let sigma = self.projected_depth().m() * self.relative_sigma();
+        Measured::new(self.depth(), Length::from_m(sigma))
     }
 
-    /// σ_Z/Z to first order with the focal length taken to be exact: what this distance does not share with another one
-    /// that was computed from the same focal length.
+    /// [`relative_sigma`](Self::relative_sigma) with the focal length taken to be exact: what this distance does not share with
+    /// another one that was computed from the same focal length.
     ///
     /// ```
     /// # use depth_core::measured::Measured;
@@ -68,7 +69,10 @@ impl Model {
     /// # Ok::<(), depth_core::judge::Unsolvable>(())
     /// ```
     pub fn own_relative_sigma(&self) -> f64 {
-        root_sum_of_squares(&[self.length().1.relative(), self.relative_divisor_sigma()])
+        let own = self
+            .relative_sigmas()
+            .map(|(source, relative)| if source == Field::FocalLength { 0.0 } else { relative });
+        root_sum_of_squares(&own)
     }
 
     /// The 1 σ interval with every uncertainty and no linearization: all distances that the inputs do not contradict by
@@ -76,7 +80,7 @@ impl Model {
     ///
     /// Z·(1 ± √(rk² + rx² − rk²·rx²))/(1 − rx²) with rk the relative σ of f·L (rk² = σ_f²/f² + σ_L²/L²) and rx that of the
     /// divisor. There is no upper bound once rx ≥ 1: the divisor may then be 0. The near end is 0 once rk ≥ 1. With rk = 0
-    /// it is the interval of the distances at x + σ and x − σ.
+    /// it is the interval of the distances at x + σ and x − σ. Of a ball that of a disk as wide, each end then taken to the center.
     ///
     /// ```
     /// # use depth_core::measured::Measured;
@@ -93,7 +97,7 @@ impl Model {
     /// Source: E. C. Fieller, Some problems in interval estimation, Journal of the Royal Statistical Society B 16 (1954),
     /// for the ratio of two independent normal variables; f·L is taken to be normal.
     pub fn interval(&self) -> Interval {
-        let depth = self.depth().m();
+        let depth = self.facing_depth().m();
         let rk = root_sum_of_squares(&[self.focal_length().relative(), self.length().1.relative()]);
         let rx = self.relative_divisor_sigma();
         // (1 − s)·(1 + s) = (1 − rk²)·(1 − rx²) turns the two roots into forms in which nothing cancels.
@@ -109,9 +113,13 @@ impl Model {
                 depth * ((1.0 + root_sum_of_squares(&[rx, rk * rest.sqrt()])) / rest)
             })
             .filter(|far| far.is_finite());
+        let counted = |facing: f64| {
+            let end = self.counted_from_zero(self.center_behind(Length::from_m(facing), self.length().1.value));
+            Length::from_m(end.m().max(0.0))
+        };
         Interval {
-            near: Length::from_m(near),
-            far: far.map(Length::from_m),
+            near: if near > 0.0 { counted(near) } else { Length::from_m(0.0) },
+            far: far.map(counted),
         }
     }
 
@@ -199,7 +207,7 @@ impl Model {
     /// # Ok::<(), depth_core::judge::Unsolvable>(())
     /// ```
     pub fn bias(&self) -> Option<Length> {
-        Some(Length::from_m(self.relative_bias()? * self.depth().m()))
+        Some(Length::from_m(self.relative_bias()? * self.projected_depth().m()))
     }
 }
 

@@ -69,7 +69,7 @@ fn columns_and_principal_points_give_the_ros_disparity() {
     assert_eq!(o, Measured::from_base(40.0, 0.0));
     // ROS: x_l − x_r − (cx_l − cx_r).
     let model = Model::stereo(Measured::from_base(700.0, 0.0), Measured::from_base(0.1, 0.0), d, o).unwrap();
-    assert_eq!(model.divisor().value.px(), 660.0 - 610.0 - (610.0 - 650.0));
+    assert_eq!(model.divisor().value, 660.0 - 610.0 - (610.0 - 650.0));
 }
 
 /// What OpenCV's stereoRectify returns for f 700 px, T = (−100, 0, 0), cx 610 and 650, cy 350.

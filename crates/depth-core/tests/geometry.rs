@@ -22,6 +22,7 @@ fn point_view() -> PointView {
         column: px(940.0),
         row: px(-40.0),
         along: Along::Axis(Measured::from_base(1.4, 0.0)),
+        shift: Length::from_m(0.0),
     }
 }
 
@@ -108,7 +109,7 @@ fn the_point_is_that_of_the_combined_distance_with_its_sigma() {
     let best = problem.solve().best().unwrap();
     assert_eq!(best.origin, Origin::Combined);
     let point = PointView {
-        fx: problem.focal_length.unwrap(),
+        fx: problem.focal_length.unwrap().px().unwrap(),
         column: px(1000.0),
         row: px(360.0),
         along: Along::Axis(best.distance),
@@ -348,7 +349,7 @@ proptest! {
         let depth = Length::from_m(z);
         let camera = Intrinsics { fx, fy, cx, cy, width: px(1.0), height: px(1.0) };
         let along = Along::Axis(Measured::exact(depth));
-        let point = PointView { fx: Measured::exact(fx), fy, cx, cy, column: px(u), row: px(v), along }.solve().unwrap();
+        let point = PointView { fx: Measured::exact(fx), fy, cx, cy, column: px(u), row: px(v), along, shift: Length::from_m(0.0) }.solve().unwrap();
         prop_assert_eq!(Some((point.x.value, point.y.value)), camera.point(px(u), px(v), depth));
         prop_assert_eq!(Some(point.range.value), camera.range(px(u), px(v), depth));
         // The range is never shorter than any of its sides.

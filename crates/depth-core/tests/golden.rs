@@ -1,6 +1,7 @@
 //! Golden numbers from independent sources, and properties that hold for every input.
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "tests")]
 
+use depth_core::in_image::InImage;
 use depth_core::measured::Measured;
 use depth_core::problem::Problem;
 use depth_core::quantity::{Length, LengthUnit, Pixels};
@@ -53,10 +54,10 @@ fn units_are_those_of_the_1959_agreement() {
 
 fn problem(focal_length: f64, baseline: f64, disparity: f64, image_width: f64, real_width: f64) -> Problem {
     Problem {
-        focal_length: Some(Measured::from_base(focal_length, 0.0)),
+        focal_length: Some(InImage::from_px(focal_length)),
         baseline: Some(Measured::from_base(baseline, 0.0)),
-        disparity: Some(Measured::from_base(disparity, 0.0)),
-        image_width: Some(Measured::from_base(image_width, 0.0)),
+        disparity: Some(InImage::from_px(disparity)),
+        image_width: Some(InImage::from_px(image_width)),
         real_width: Some(Measured::from_base(real_width, 0.0)),
         ..Problem::default()
     }

@@ -67,7 +67,7 @@ proptest! {
         let solution = problem.solve();
         for method in Method::ALL {
             match solution.outcome(method) {
-                Outcome::Distance(_) => for field in method.fields().into_iter().chain([method.optional_field()]) {
+                Outcome::Distance(_) => for field in method.fields().into_iter().chain(method.optional_fields()) {
                     prop_assert_eq!(problem.check(field), Ok(()));
                 },
                 Outcome::Refused { field, refusal } => if let Err(found) = problem.check(field) {

@@ -210,7 +210,7 @@ proptest! {
     /// Fieller's definition: an end θ is where the difference k − θ·x is exactly its own standard deviation.
     #[test]
     fn the_ends_are_where_the_inputs_are_contradicted_by_one_sigma(model in ordinary_model()) {
-        let k = model.focal_length().value.px() * model.length().1.value.m();
+        let k = model.focal_length().value * model.length().1.value.m();
         let rk = model.focal_length().relative().hypot(model.length().1.relative());
         let x = model.divisor().to_base();
         let interval = model.interval();
@@ -227,7 +227,8 @@ proptest! {
     #[test]
     fn more_uncertainty_never_narrows_the_interval(model in ordinary_model(), more in 0.0..2.0_f64) {
         let (f, (_, b), d) = (model.focal_length(), model.length(), model.divisor());
-        let wider = Model::stereo(f, b, Measured::from_base(d.value.px(), d.sigma.px() * (1.0 + more)), NO_DOFFS).unwrap().interval();
+        let f = Measured::from_base(f.value, f.sigma);
+        let wider = Model::stereo(f, b, Measured::from_base(d.value, d.sigma * (1.0 + more)), NO_DOFFS).unwrap().interval();
         let interval = model.interval();
         prop_assert!(wider.near.m() <= interval.near.m() * (1.0 + 1e-12));
         if let Some(far) = wider.far {

@@ -66,5 +66,5 @@ fn form() -> Inputs {
 
 #[divan::bench(args = ["700", "0,1", "10 cm", "1.234,5", "1,000", "twelve"])]
 fn read_a_number(text: &str) -> bool {
-    number::read(black_box(text)).is_ok()
+    number::read(black_box(text), number::Primes::FeetAndInches).is_ok()
 }

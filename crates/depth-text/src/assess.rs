@@ -12,8 +12,9 @@ use crate::unit::Unit;
 use depth_core::agreement::Suspect;
 use depth_core::judge;
 use depth_core::measured::Measured;
-use depth_core::problem::{Field, Method, Problem, Solution};
+use depth_core::problem::{Field, Method, Problem, Solution, Solved};
 use depth_core::quantity::Length;
+use depth_core::setup::{Object, Pair};
 
 /// What the form means.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,8 +40,8 @@ pub struct Unknown {
     pub method: Method,
     /// The quantity.
     pub field: Field,
-    /// Its value with σ in px or meters, or what is lacking.
-    pub outcome: Result<Measured<f64>, Issue>,
+    /// Its value with σ, or what is lacking.
+    pub outcome: Result<Solved, Issue>,
     /// The distance that was given, where it can be used.
     pub distance: Option<Measured<Length>>,
 }
@@ -79,7 +80,7 @@ impl Assessment {
             method
                 .fields()
                 .into_iter()
-                .chain([method.optional_field()])
+                .chain(method.optional_fields())
                 .any(|field| key == field)
         };
         let mut errors = self
@@ -112,7 +113,7 @@ fn in_radians(reading: &Reading) -> Option<Note> {
     let Reading { key, number, .. } = *reading;
     let decimals = reading.number_text.split_once(['.', ',']).map_or("", |(_, decimals)| decimals);
     let is_small = number != 0.0 && number.abs() < std::f64::consts::FRAC_PI_2;
-    let is_bare_angle = reading.unit == Some(Unit::Degree) && !reading.unit_was_typed;
+    let is_bare_angle = reading.unit == Some(Unit::DEGREE) && !reading.unit_was_typed;
     let is_fine = decimals.len() >= 3 && decimals.bytes().all(|digit| digit.is_ascii_digit());
     if !(is_bare_angle && is_small && is_fine) {
         return None;
@@ -181,6 +182,9 @@ impl Inputs {
             _ => false,
         };
         notes.extend(readings.iter().filter(is_used).filter_map(in_radians));
+        if self.object == Object::Ball && solution.problem.tilt.is_some() {
+            notes.push(Note::warning(fields::TILT, Issue::BallHasNoTilt));
+        }
         notes.sort_by_key(|note| (note.key, note.part));
         notes.dedup_by_key(|note| (note.key, note.part));
         Assessment {
@@ -195,10 +199,20 @@ impl Inputs {
 
     /// The problem that `readings` are, each with the σ that counts. What cannot be used is left out, and noted.
     fn read_problem(&self, readings: &mut [Reading], notes: &mut Vec<Note>) -> Problem {
-        let mut problem = Problem::default();
-        for reading in readings.iter().filter(|reading| !self.is_solved_for(reading.key)) {
+        let mut problem = Problem {
+            object: self.object,
+            pair: self.pair,
+            ..Problem::default()
+        };
+        let mixed = problem::mixed_units(readings, self.unknown.map(|(_, field)| field.into()));
+        let is_mixed = |key: Key| mixed.iter().any(|note| note.key == key);
+        for reading in readings
+            .iter()
+            .filter(|reading| !self.is_solved_for(reading.key) && !is_mixed(reading.key))
+        {
             problem::set(&mut problem, reading);
         }
+        notes.extend(mixed);
         for key in Key::form() {
             let reading = readings.iter().find(|reading| reading.key == key);
             notes.extend(problem::judge(&mut problem, key, self.entry(key), reading, self.offset()));
@@ -303,19 +317,18 @@ impl Inputs {
     ///
     /// A field with something unreadable in it is not missing: it has a note of its own.
     pub fn missing(&self) -> Vec<Note> {
-        let blank = |field: &Field| self.lacks(*field);
         let touched = |method: &Method| self.is_begun(*method);
         let mut missing: Vec<Note> = Vec::new();
         let any_touched = Method::ALL.iter().any(touched);
         for method in Method::ALL.into_iter().filter(touched) {
-            for key in method.fields().iter().filter(|field| blank(field)).map(|&field| Key::from(field)) {
+            for key in self.missing_for(method) {
                 if !missing.iter().any(|note| note.key == key) {
                     missing.push(Note::error(key, Issue::Missing { key, method }));
                 }
             }
         }
         if !any_touched {
-            missing.push(if blank(&Field::FocalLength) {
+            missing.push(if self.lacks(Field::FocalLength) {
                 Note::error(fields::FOCAL_LENGTH, Issue::MissingFocalLength)
             } else {
                 Note::error(fields::BASELINE, Issue::MissingMethod)
@@ -331,8 +344,22 @@ impl Inputs {
 
     /// What the distance of `method` still needs, in reading order of its formula.
     pub fn missing_for(&self, method: Method) -> Vec<Key> {
-        let lacking = method.fields().into_iter().filter(|&field| self.lacks(field));
+        let lacking = method.fields().into_iter().filter(|&field| self.is_missing_for(method, field));
         lacking.map(Key::from).collect()
+    }
+
+    /// Whether `method` needs `field` and nothing is in it, nor in what takes its place: fy, or an angle, which needs no focal length.
+    fn is_missing_for(&self, method: Method, field: Field) -> bool {
+        if field != Field::FocalLength {
+            return self.lacks(field);
+        }
+        let (extent, in_rows) = match method {
+            Method::Stereo => (fields::DISPARITY, self.pair == Pair::Vertical),
+            Method::Monocular => (fields::IMAGE_WIDTH, self.object == Object::Height),
+        };
+        let reading = reading::read(extent, self.entry(extent)).ok().flatten();
+        let by_angle = reading.is_some_and(|reading| matches!(reading.unit, Some(Unit::Angle(_))));
+        self.lacks(field) && !by_angle && (!in_rows || self.lacks(Field::Fy))
     }
 
     /// Whether something is in a field that only `method` needs.
@@ -349,11 +376,13 @@ impl Inputs {
         self.unknown.is_some_and(|(_, field)| key == field)
     }
 
-    /// Whether what was typed for σ of the field `key` counts. Those of the ground plane and of a range always do, as they are
+    /// Whether what was typed for σ of the field `key` counts. Those of a range and of the ways of their own always do, as they are
     /// always shown.
     pub fn counts_sigma(&self, key: Key) -> bool {
-        let is_shown =
-            self.with_uncertainty || self.entry(key).parts().is_some() || matches!(key.section, Some(Section::Point | Section::Ground));
+        let is_shown = self.with_uncertainty
+            || self.entry(key).parts().is_some()
+            || key.section == Some(Section::Point)
+            || key.section.is_some_and(Section::is_way_of_its_own);
         key.has_sigma && is_shown && !self.is_solved_for(key)
     }
 

@@ -1,7 +1,7 @@
 //! What was typed into one field ([`Entry`]) and into several ([`Entries`]).
 
-use crate::field::Key;
-use crate::number;
+use crate::field::{Key, Kind};
+use crate::number::{self, Primes};
 use crate::unit::Unit;
 use depth_core::quantity::LengthUnit;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -17,7 +17,7 @@ pub struct Entry {
     pub text: String,
     /// The unit chosen beside it; `None` where none was chosen or there is no choice.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub unit: Option<LengthUnit>,
+    pub unit: Option<Unit>,
     /// Whether [`unit`](Self::unit) was typed behind the number, which nobody does by mistake.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub unit_was_typed: bool,
@@ -38,7 +38,7 @@ impl Entry {
     pub fn new(text: impl Into<String>, unit: Option<LengthUnit>) -> Self {
         Self {
             text: text.into(),
-            unit,
+            unit: unit.map(Unit::Length),
             unit_was_typed: false,
             sigma: String::new(),
         }
@@ -51,8 +51,13 @@ impl Entry {
 
     /// Value and σ, where both were typed into the field: "50 ± 0.5 px", "1.2 m ± 2 cm", "(1.400 ± 0.016) m".
     pub(crate) fn parts(&self) -> Option<(String, String)> {
+        // What is no number need not be searched for two.
+        if self.text.len() > 2 * number::LONGEST {
+            return None;
+        }
         let mut signs = ["±", "+/-", "+-"].into_iter();
         let (value, sigma) = signs.find_map(|sign| self.text.split_once(sign))?;
+        let value = number::without_name(value);
         let (value, sigma) = (value.trim(), sigma.trim());
         let in_brackets = value.strip_prefix('(').zip(sigma.rsplit_once(')'));
         if let Some((value, (sigma, unit))) = in_brackets {
@@ -64,9 +69,10 @@ impl Entry {
             return Some((with_unit(value), with_unit(sigma)));
         }
         // A unit behind both is that of both.
-        let unit = match (number::read(value), number::read(sigma)) {
+        let primes = Primes::FeetAndInches;
+        let unit = match (number::read(value, primes), number::read(sigma, primes)) {
             (Ok(value), Ok(sigma)) if value.unit.is_none() => sigma.unit_text,
-            _ => "",
+            _ => String::new(),
         };
         let value = format!("{value} {unit}").trim_end().to_owned();
         Some((value, sigma.to_owned()))
@@ -94,10 +100,10 @@ impl Entry {
 
     /// The unit of a bare number in the field `key`.
     pub fn chosen_unit(&self, key: Key) -> Option<Unit> {
-        match (key.kind.default_unit(), self.unit) {
-            (Some(Unit::Length(_)), Some(chosen)) => Some(Unit::Length(chosen)),
-            (default, _) => default,
-        }
+        let chosen = self
+            .unit
+            .filter(|unit| key.kind.choices().contains(unit) || (key.is_length() && unit.is_length()));
+        chosen.or(key.kind.default_unit())
     }
 
     /// Moves a unit typed behind the number into the choice beside it, and a σ into its field. What cannot be read is left as it is.
@@ -108,25 +114,38 @@ impl Entry {
                 self.sigma = sigma;
             }
         }
-        let Ok(typed) = number::read(&self.text) else { return };
-        match typed.unit.filter(|&unit| key.kind.reads(unit)) {
-            Some(Unit::Length(unit)) if key.is_length() => {
-                let number = typed.number_text.to_owned();
-                self.unit = Some(unit);
-                self.unit_was_typed = true;
-                self.text = number;
+        if key.kind == Kind::Text {
+            return;
+        }
+        let Ok(typed) = number::read(&self.text, key.kind.primes()) else {
+            return;
+        };
+        let Some(unit) = typed.unit.filter(|&unit| key.kind.reads(unit)) else {
+            // What a log printed around it.
+            if !typed.is_computed && typed.unit.is_none() {
+                self.text = typed.number_text;
             }
-            // Nothing is lost: the field has this unit and no choice.
-            Some(unit) if key.kind.default_unit() == Some(unit) => {
-                self.text = typed.number_text.to_owned();
-                self.unit_was_typed = true;
-            }
-            _ => {}
+            return;
+        };
+        let can_be_chosen = !key.kind.choices().is_empty() && !matches!(unit, Unit::Square(_));
+        // Of several units each stands with its number. And nothing is lost where the field has this unit and no choice.
+        if !typed.unit_text.is_empty() && (can_be_chosen || key.kind.default_unit() == Some(unit)) {
+            self.unit = can_be_chosen.then_some(unit);
+            self.unit_was_typed = true;
+            self.text = typed.number_text;
         }
     }
 
-    /// Chooses `unit` for the field `key` and keeps the typed number, without squares of a board behind it.
-    pub fn choose_unit(&mut self, key: Key, unit: LengthUnit) {
+    /// Chooses `unit` for the field `key` and keeps the typed number, without squares of a board behind it. Several units are
+    /// converted: they were no slip.
+    pub fn choose_unit(&mut self, key: Key, unit: impl Into<Unit>) {
+        let unit = unit.into();
+        if let Ok(typed) = number::read(&self.text, key.kind.primes())
+            && typed.unit_text.is_empty()
+            && let Some(before) = typed.unit.filter(|before| before.base() == unit.base())
+        {
+            self.text = number::plain(unit.from_base(before.to_base(typed.number)));
+        }
         if let Some((number, _)) = self.text.split_once("square") {
             self.text = number.trim().to_owned();
         }
@@ -142,8 +161,8 @@ impl Entry {
     }
 
     /// Everything that was typed or chosen; `None` where that is nothing.
-    fn content(&self, key: Key) -> Option<(&str, Option<LengthUnit>, &str)> {
-        let unit = self.unit.filter(|&unit| key.kind.length_unit() != Some(unit));
+    fn content(&self, key: Key) -> Option<(&str, Option<Unit>, &str)> {
+        let unit = self.unit.filter(|&unit| key.kind.default_unit() != Some(unit));
         let content = (self.text.as_str(), unit, self.sigma.as_str());
         (content != ("", None, "")).then_some(content)
     }
@@ -182,7 +201,7 @@ impl Entries {
         self.0.values().all(|entry| entry.is_blank() && entry.sigma.trim().is_empty())
     }
 
-    fn content(&self) -> impl Iterator<Item = (Key, (&str, Option<LengthUnit>, &str))> {
+    fn content(&self) -> impl Iterator<Item = (Key, (&str, Option<Unit>, &str))> {
         self.0.iter().filter_map(|(&key, entry)| Some((key, entry.content(key)?)))
     }
 }

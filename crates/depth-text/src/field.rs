@@ -1,7 +1,9 @@
 //! What a field is ([`FieldSpec`]), and its name everywhere in the program ([`Key`]). The fields themselves are the table
 //! in [`fields`](crate::fields); what is looked up in it is in `lookup`.
 
+use crate::number::Primes;
 use crate::unit::Unit;
+use depth_core::angle::AngleUnit;
 use depth_core::problem::Field;
 use depth_core::quantity::LengthUnit;
 use serde::{Serialize, Serializer};
@@ -13,6 +15,10 @@ use std::ops::Deref;
 pub enum Kind {
     /// Pixels of an image.
     Pixels,
+    /// A focal length: in pixels, or a length where extents are lengths on the sensor; a bare number is in pixels.
+    FocalLength,
+    /// An extent in an image: in pixels, an angle, or a length on the sensor; a bare number is in pixels.
+    Extent,
     /// A length with a choice of unit; a bare number is in the unit given here, unless another one is chosen.
     Length(LengthUnit),
     /// The size of a pixel: a length; a bare number is in micrometers.
@@ -31,10 +37,10 @@ impl Kind {
     /// The unit of a bare number; `None` where there are no units.
     pub const fn default_unit(self) -> Option<Unit> {
         match self {
-            Self::Pixels => Some(Unit::Pixel),
+            Self::Pixels | Self::FocalLength | Self::Extent => Some(Unit::Pixel),
             Self::Length(unit) => Some(Unit::Length(unit)),
-            Self::Pitch => Some(Unit::Micrometer),
-            Self::Angle => Some(Unit::Degree),
+            Self::Pitch => Some(Unit::Length(LengthUnit::Micrometer)),
+            Self::Angle => Some(Unit::DEGREE),
             Self::Count | Self::Plain | Self::Text => None,
         }
     }
@@ -43,10 +49,57 @@ impl Kind {
     pub const fn reads(self, unit: Unit) -> bool {
         match self {
             Self::Pixels => matches!(unit, Unit::Pixel),
-            Self::Length(_) => matches!(unit, Unit::Length(_) | Unit::Micrometer | Unit::Square(_)),
-            Self::Pitch => matches!(unit, Unit::Length(_) | Unit::Micrometer),
-            Self::Angle => matches!(unit, Unit::Degree | Unit::Radian),
+            Self::FocalLength => matches!(unit, Unit::Pixel | Unit::Length(_)),
+            Self::Extent => matches!(unit, Unit::Pixel | Unit::Length(_) | Unit::Angle(_)),
+            Self::Length(_) => matches!(unit, Unit::Length(_) | Unit::Square(_)),
+            Self::Pitch => matches!(unit, Unit::Length(_)),
+            Self::Angle => matches!(unit, Unit::Angle(_)),
             Self::Count | Self::Plain | Self::Text => false,
+        }
+    }
+
+    /// What ′ and ″ behind a number mean.
+    pub const fn primes(self) -> Primes {
+        match self {
+            Self::Angle | Self::Extent => Primes::Arcminutes,
+            _ => Primes::FeetAndInches,
+        }
+    }
+
+    /// The units that can be chosen beside such a field, the usual ones first; empty where there is no choice. Others can be typed.
+    pub const fn choices(self) -> &'static [Unit] {
+        use AngleUnit::{Arcminute, Arcsecond, Milliradian, MinuteOfAngle, NatoMil};
+        const fn length(unit: LengthUnit) -> Unit {
+            Unit::Length(unit)
+        }
+        const LENGTHS: &[Unit] = &[
+            length(LengthUnit::Millimeter),
+            length(LengthUnit::Centimeter),
+            length(LengthUnit::Meter),
+            length(LengthUnit::Kilometer),
+            length(LengthUnit::Inch),
+            length(LengthUnit::Foot),
+            length(LengthUnit::Yard),
+            length(LengthUnit::Mile),
+        ];
+        const FOCAL_LENGTHS: &[Unit] = &[Unit::Pixel, length(LengthUnit::Millimeter), length(LengthUnit::Inch)];
+        const EXTENTS: &[Unit] = &[
+            Unit::Pixel,
+            Unit::DEGREE,
+            Unit::Angle(Arcminute),
+            Unit::Angle(Arcsecond),
+            Unit::Angle(Milliradian),
+            Unit::Angle(MinuteOfAngle),
+            Unit::Angle(NatoMil),
+            length(LengthUnit::Millimeter),
+            length(LengthUnit::Micrometer),
+            length(LengthUnit::Inch),
+        ];
+        match self {
+            Self::Length(_) => LENGTHS,
+            Self::FocalLength => FOCAL_LENGTHS,
+            Self::Extent => EXTENTS,
+            _ => &[],
         }
     }
 
@@ -58,20 +111,11 @@ impl Kind {
         }
     }
 
-    /// The unit in which values are computed; `None` where there are no units.
-    pub const fn base_unit(self) -> Option<Unit> {
-        match self {
-            Self::Pixels => Some(Unit::Pixel),
-            Self::Length(_) | Self::Pitch => Some(Unit::Length(LengthUnit::Meter)),
-            Self::Angle => Some(Unit::Radian),
-            Self::Count | Self::Plain | Self::Text => None,
-        }
-    }
-
     /// The placeholder of a value in the help of the command line.
     pub const fn placeholder(self) -> &'static str {
         match self {
-            Self::Pixels => "PX",
+            Self::Pixels | Self::FocalLength => "PX",
+            Self::Extent => "PX|ANGLE",
             Self::Length(_) | Self::Pitch => "LENGTH",
             Self::Angle => "ANGLE",
             Self::Count | Self::Plain => "NUMBER",
@@ -95,17 +139,40 @@ pub enum Section {
     Target,
     /// A camera above a level floor.
     Ground,
+    /// Two photographs of one object, and the step between them.
+    TwoShots,
+    /// Two points that a stereo pair sees.
+    TwoPoints,
 }
 
 impl Section {
     /// Every section, in reading order.
-    pub const ALL: [Self; 6] = [Self::Camera, Self::Stereo, Self::Monocular, Self::Point, Self::Target, Self::Ground];
+    pub const ALL: [Self; 8] = [
+        Self::Camera,
+        Self::Stereo,
+        Self::Monocular,
+        Self::Point,
+        Self::Target,
+        Self::Ground,
+        Self::TwoShots,
+        Self::TwoPoints,
+    ];
     /// Those that everybody sees.
     pub const FORM: [Self; 3] = [Self::Camera, Self::Stereo, Self::Monocular];
 
     /// Whether it is shown only to those who ask for range, tilt and ground plane.
     pub const fn is_geometry(self) -> bool {
         matches!(self, Self::Point | Self::Target | Self::Ground)
+    }
+
+    /// Whether it is shown only to those who ask for two photographs and two points.
+    pub const fn is_of_two(self) -> bool {
+        matches!(self, Self::TwoShots | Self::TwoPoints)
+    }
+
+    /// Whether it is a way to a distance of its own, with σ of its own that always count.
+    pub const fn is_way_of_its_own(self) -> bool {
+        matches!(self, Self::Ground | Self::TwoShots | Self::TwoPoints)
     }
 
     /// Its heading.
@@ -117,6 +184,8 @@ impl Section {
             Self::Point => "Depth or range",
             Self::Target => "Tilted target",
             Self::Ground => "Ground plane",
+            Self::TwoShots => "Two photographs and a step",
+            Self::TwoPoints => "Two points",
         }
     }
 }

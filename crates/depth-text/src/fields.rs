@@ -47,6 +47,21 @@ const GROUND: FieldSpec = FieldSpec {
     ..BLANK
 };
 
+const SHOT: FieldSpec = FieldSpec {
+    kind: Kind::Pixels,
+    section: Some(Section::TwoShots),
+    is_optional: true,
+    has_sigma: true,
+    ..BLANK
+};
+
+const OF_TWO: FieldSpec = FieldSpec {
+    kind: Kind::Pixels,
+    section: Some(Section::TwoPoints),
+    is_optional: true,
+    ..BLANK
+};
+
 const MILLIMETERS: FieldSpec = FieldSpec {
     kind: Kind::Length(LengthUnit::Millimeter),
     ..BLANK
@@ -67,18 +82,43 @@ const fn option(name: &'static str, help: &'static str, sigma_help: &'static str
 }
 
 table! {
-    /// fx, px
+    /// fx, px, or a length where d or w_img is one
     FOCAL_LENGTH = FieldSpec {
-        key: "fx", name: "Focal length (fx)", symbol: "fx", noun: "the focal length", examples: &["700"],
+        key: "fx", kind: Kind::FocalLength, name: "Focal length (fx)", symbol: "fx", noun: "the focal length", examples: &["700"],
         hint: "Focal length of the camera in pixels.",
         description: "Camera’s focal length",
         input: Some(Field::FocalLength), section: Some(Section::Camera),
         option: option(
             "fx",
-            "Focal length in pixels of the image that the other pixels are counted in",
+            "Focal length in pixels of the image that the other pixels are counted in; or as a length, beside lengths on the sensor",
             "1 σ of the focal length, such as 2 or 0.3%",
         ),
         ..INPUT
+    };
+    /// The lens that fx was computed from.
+    FX_LENS = FieldSpec {
+        key: "fx-lens", name: "Lens that fx came from", symbol: "f_lens", noun: "the lens", examples: &["15"],
+        kind: Kind::Length(LengthUnit::Millimeter),
+        hint: "Added to the distance. Empty where fx was calibrated.",
+        input: Some(Field::Lens), section: Some(Section::Camera), is_optional: true,
+        option: option(
+            "lens",
+            "Focal length of the lens that fx was computed from: it is added to the distance; bare: in mm. Not for a calibrated fx",
+            "",
+        ),
+        ..BLANK
+    };
+    /// fy, px: fx where it is left out.
+    FY = FieldSpec {
+        key: "fy", kind: Kind::FocalLength, name: "Focal length along the columns (fy)", symbol: "fy", noun: "fy", examples: &["700"],
+        hint: "Only if it differs from fx.",
+        input: Some(Field::Fy), section: Some(Section::Camera), is_optional: true,
+        option: option(
+            "fy",
+            "Focal length along the columns, for heights, vertical pairs and points; without it, fx",
+            "",
+        ),
+        ..BLANK
     };
     /// b, a length
     BASELINE = FieldSpec {
@@ -90,15 +130,15 @@ table! {
         option: option("baseline", "Distance between the two cameras; bare: in mm", "1 σ of the baseline, such as 0.5mm or 0.5%"),
         ..INPUT
     };
-    /// d, px
+    /// d, px, an angle or a length on the sensor
     DISPARITY = FieldSpec {
-        key: "d", name: "Disparity (d)", symbol: "d", noun: "the disparity", examples: &["50"],
+        key: "d", kind: Kind::Extent, name: "Disparity (d)", symbol: "d", noun: "the disparity", examples: &["50"],
         hint: "Horizontal shift between the two images.",
         description: "Horizontal pixel difference",
         input: Some(Field::Disparity), section: Some(Section::Stereo),
         option: option(
             "disparity",
-            "Horizontal shift of the object between the rectified images, left x minus right x",
+            "Shift of the object between the rectified images, left x minus right x, in pixels; or as an angle, or a length on the sensor",
             "1 σ of the disparity, such as 0.25",
         ),
         ..INPUT
@@ -112,13 +152,13 @@ table! {
         option: option("doffs", "cx of the right camera minus cx of the left one, added to the disparity", "1 σ of doffs"),
         ..INPUT
     };
-    /// w_img, px
+    /// w_img, px, an angle or a length on the sensor
     IMAGE_WIDTH = FieldSpec {
-        key: "wimg", name: "Object width in image (w_img)", symbol: "w_img", noun: "the width in the image", examples: &["150"],
+        key: "wimg", kind: Kind::Extent, name: "Object width in image (w_img)", symbol: "w_img", noun: "the width in the image", examples: &["150"],
         hint: "Width of the object in the image.",
         description: "Object’s width in the image",
         input: Some(Field::ImageWidth), section: Some(Section::Monocular),
-        option: option("w-img", "Width of the object in the image", "1 σ of the width in the image"),
+        option: option("w-img", "Width of the object in the image in pixels; or as an angle, or a length on the sensor", "1 σ of the width in the image"),
         ..INPUT
     };
     /// w_real, a length
@@ -130,17 +170,6 @@ table! {
         input: Some(Field::RealWidth), section: Some(Section::Monocular),
         option: option("w-real", "Width of the object itself; bare: in m", "1 σ of the real width, such as 1cm or 3%"),
         ..INPUT
-    };
-    /// fy, px: fx where it is left out.
-    FY = FieldSpec {
-        key: "fy", name: "Focal length along the columns (fy)", symbol: "fy", noun: "fy", examples: &["700"],
-        hint: "Only if it differs from fx.",
-        option: option(
-            "fy",
-            "Focal length along the columns; without it, fx",
-            "",
-        ),
-        ..POINT
     };
     /// Column of the principal point.
     CX = FieldSpec {
@@ -197,6 +226,19 @@ table! {
             "1 σ of the range, such as 5mm or 1%",
         ),
         ..POINT
+    };
+    /// How far in front of the lens distances are counted from.
+    ZERO = FieldSpec {
+        key: "zero", name: "The tape starts in front of the lens", symbol: "zero", noun: "the zero point", examples: &["4.2"],
+        kind: Kind::Length(LengthUnit::Millimeter), signed: true,
+        hint: "From the entrance pupil to the front glass, say.",
+        input: Some(Field::Zero), section: Some(Section::Point), is_optional: true,
+        option: option(
+            "zero",
+            "How far in front of the lens distances are counted from, such as its front glass; bare: in mm",
+            "",
+        ),
+        ..BLANK
     };
     /// How far the target is turned away.
     TILT = FieldSpec {
@@ -283,6 +325,56 @@ table! {
         ..GROUND
     };
 
+    /// How wide the object is in the photograph from farther away.
+    FAR_WIDTH = FieldSpec {
+        key: "far-px", name: "Width in the first photograph", symbol: "w_1", noun: "the width in the first photograph",
+        examples: &["1162"], hint: "From the first place, which is farther away.",
+        option: option("far-px", "Width of the object in the photograph from farther away", "1 σ of that width, such as 1"),
+        ..SHOT
+    };
+    /// How wide it is in the one from nearer.
+    NEAR_WIDTH = FieldSpec {
+        key: "near-px", name: "Width in the second photograph", symbol: "w_2", noun: "the width in the second photograph",
+        examples: &["1429"], hint: "From the second place, a step nearer.",
+        option: option("near-px", "Width of the object in the photograph from nearer", "1 σ of that width, such as 1"),
+        ..SHOT
+    };
+    /// How far the camera was moved between both.
+    STEP = FieldSpec {
+        key: "step", name: "Step between them", symbol: "s", noun: "the step", examples: &["0.5"],
+        kind: Kind::Length(LengthUnit::Meter), hint: "Straight towards the object.",
+        option: option("step", "How far the camera was moved between them, towards the object; bare: in m", "1 σ of the step, such as 1mm"),
+        ..SHOT
+    };
+    /// Column of the first of two points.
+    FROM_COLUMN = FieldSpec {
+        key: "from-u", name: "Column of the first point", symbol: "u_1", noun: "the column of the first point", examples: &["138"],
+        ..OF_TWO
+    };
+    /// Row of the first of two points.
+    FROM_ROW = FieldSpec {
+        key: "from-v", name: "Row of the first point", symbol: "v_1", noun: "the row of the first point", examples: &["219"], ..OF_TWO
+    };
+    /// Disparity of the first of two points.
+    FROM_DISPARITY = FieldSpec {
+        key: "from-d", name: "Disparity of the first point", symbol: "d_1", noun: "the disparity of the first point", examples: &["36"],
+        has_sigma: true, ..OF_TWO
+    };
+    /// Column of the second of two points.
+    TO_COLUMN = FieldSpec {
+        key: "to-u", name: "Column of the second point", symbol: "u_2", noun: "the column of the second point", examples: &["264"],
+        ..OF_TWO
+    };
+    /// Row of the second of two points.
+    TO_ROW = FieldSpec {
+        key: "to-v", name: "Row of the second point", symbol: "v_2", noun: "the row of the second point", examples: &["216"], ..OF_TWO
+    };
+    /// Disparity of the second of two points.
+    TO_DISPARITY = FieldSpec {
+        key: "to-d", name: "Disparity of the second point", symbol: "d_2", noun: "the disparity of the second point", examples: &["30"],
+        has_sigma: true, ..OF_TWO
+    };
+
     /// D, where something else is solved for.
     DISTANCE = FieldSpec {
         key: "distance", name: "Distance (D)", symbol: "D", noun: "the distance", examples: &["1.4"], has_sigma: true,
@@ -365,6 +457,15 @@ table! {
     RIGHT_COLUMN = FieldSpec {
         key: "right-x", name: "x in the right image", noun: "x in the right image", examples: &["610"], signed: true, ..PIXELS
     };
+    /// The whole distance between two stations.
+    STATIONS = FieldSpec {
+        key: "stations", name: "Distance between the cameras", noun: "the distance between the cameras", examples: &["100"], ..METERS
+    };
+    /// The angle between the line from one station to the other and the line of sight.
+    BASELINE_ANGLE = FieldSpec {
+        key: "baseline-angle", name: "Angle to the line of sight", noun: "the angle", kind: Kind::Angle, examples: &["60"], ..BLANK
+    };
+
     /// What a program stored for a disparity.
     STORED_VALUE = FieldSpec { key: "stored", name: "Stored value", noun: "the stored value", examples: &["800"], signed: true, ..BLANK };
     /// The matcher's minDisparity.

@@ -3,8 +3,10 @@
 use crate::entry::{Entries, Entry};
 use crate::field::{Key, Section};
 use crate::fields;
+use crate::unit::Unit;
 use depth_core::problem::{Field, Method};
 use depth_core::quantity::LengthUnit;
+use depth_core::setup::{Object, Pair};
 use serde::{Deserialize, Serialize};
 
 /// Everything typed into the form.
@@ -17,6 +19,16 @@ pub struct Inputs {
     pub with_uncertainty: bool,
     /// What is solved for, where it is not the distance.
     pub unknown: Option<(Method, Field)>,
+    /// What of the object is measured.
+    #[serde(skip_serializing_if = "is_default")]
+    pub object: Object,
+    /// How the cameras stand.
+    #[serde(skip_serializing_if = "is_default")]
+    pub pair: Pair,
+}
+
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
 }
 
 /// A worked example that a button fills in.
@@ -72,7 +84,41 @@ impl Inputs {
 
     /// Replaces the text and the chosen unit of the field `key`; what was typed for σ stays.
     pub fn fill(&mut self, key: impl Into<Key>, value: Entry) {
+        let key = key.into();
         self.entries.fill(key, value);
+        self.edited(key);
+    }
+
+    /// To be called after the text of the field `key` was edited: what followed from its old value is taken out. The lens that a focal
+    /// length came from does not belong to another one.
+    pub fn edited(&mut self, key: impl Into<Key>) {
+        if key.into() == fields::FOCAL_LENGTH {
+            self.entries.remove(fields::FX_LENS);
+        }
+    }
+
+    /// The sentence under the field `key`, as what is measured has it.
+    pub fn hint(&self, key: Key) -> &'static str {
+        if key == fields::DISPARITY && self.pair == Pair::Vertical {
+            "Vertical shift between the two images, in rows."
+        } else if key == fields::BASELINE && self.pair == Pair::Vertical {
+            "From the upper camera to the lower one."
+        } else if key == fields::IMAGE_WIDTH && self.object == Object::Height {
+            "Height of the object in the image, in rows."
+        } else if key == fields::REAL_WIDTH && self.object == Object::Height {
+            "Actual physical height of the object."
+        } else if key == fields::IMAGE_WIDTH && self.object == Object::Ball {
+            "Width of the ball in the image, near its middle."
+        } else if key == fields::REAL_WIDTH && self.object == Object::Ball {
+            "Actual diameter of the ball."
+        } else {
+            key.spec().hint
+        }
+    }
+
+    /// Whether fy counts for more than a point in space: a height or a vertical pair is measured.
+    pub fn needs_fy(&self) -> bool {
+        self.object == Object::Height || self.pair == Pair::Vertical
     }
 
     /// σ of the field `key` as typed: a number, with a unit, or in % of the value.
@@ -85,17 +131,27 @@ impl Inputs {
         self.entry_mut(key).sigma = text.into();
     }
 
-    /// Whether the field `key` is shown: an optional one is once there is something in it, or it is solved for.
+    /// Whether the field `key` is shown: an optional one is once there is something in it, it is needed, or it is solved for.
     pub fn shows(&self, key: impl Into<Key>) -> bool {
         let key = key.into();
         let entry = self.entry(key);
         let solved_for = self.unknown.is_some_and(|(_, field)| key == field);
-        !key.is_optional || !entry.is_blank() || !entry.sigma.is_empty() || solved_for
+        let needed = key == fields::FY && self.needs_fy();
+        !key.is_optional || !entry.is_blank() || !entry.sigma.is_empty() || solved_for || needed
     }
 
     /// Whether something is in a field of the point, the target or the ground plane.
     pub fn has_geometry(&self) -> bool {
-        Key::form().any(|key| key.section.is_some_and(Section::is_geometry) && !self.entry(key).is_blank())
+        self.has(Section::is_geometry)
+    }
+
+    /// Whether something is in a field of two photographs or of two points.
+    pub fn has_two(&self) -> bool {
+        self.has(Section::is_of_two)
+    }
+
+    fn has(&self, is_of: fn(Section) -> bool) -> bool {
+        Key::form().any(|key| key.section.is_some_and(is_of) && !self.entry(key).is_blank())
     }
 
     /// Whether nothing was typed into the form. A distance, which belongs to what is solved for, does not count.
@@ -113,7 +169,7 @@ impl Inputs {
 
     /// Chooses `unit` for the field `key` and keeps the typed number: the person corrects the unit, the number is what they
     /// read.
-    pub fn choose_unit(&mut self, key: impl Into<Key>, unit: LengthUnit) {
+    pub fn choose_unit(&mut self, key: impl Into<Key>, unit: impl Into<Unit>) {
         let key = key.into();
         self.entry_mut(key).choose_unit(key, unit);
     }

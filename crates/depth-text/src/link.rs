@@ -4,8 +4,10 @@
 
 use crate::assess::Assessment;
 use crate::entry::Entry;
-use crate::field::{Key, Kind};
+use crate::field::Key;
 use crate::form::Inputs;
+use crate::unit::Unit;
+use depth_core::setup::{Object, Pair};
 
 /// The longest text a link may put into a field; longer ones are cut. Nobody types more.
 const LONGEST: usize = 64;
@@ -18,6 +20,7 @@ pub fn apply(fragment: &str, inputs: &mut Inputs) -> bool {
     let mut any = false;
     for pair in fragment.trim_start_matches('#').split('&') {
         let Some((name, value)) = pair.split_once('=') else { continue };
+        any |= choose(name, value, inputs);
         let Some(key) = Key::form().find(|key| key.as_str() == name) else {
             continue;
         };
@@ -27,6 +30,15 @@ pub fn apply(fragment: &str, inputs: &mut Inputs) -> bool {
         any = true;
     }
     any
+}
+
+/// Takes a choice of a link: what of the object is measured, how the cameras stand.
+fn choose(name: &str, value: &str, inputs: &mut Inputs) -> bool {
+    let object = Object::ALL.into_iter().find(|object| (name, value) == ("object", object.key()));
+    let pair = Pair::ALL.into_iter().find(|pair| (name, value) == ("pair", pair.key()));
+    inputs.object = object.unwrap_or(inputs.object);
+    inputs.pair = pair.unwrap_or(inputs.pair);
+    object.is_some() || pair.is_some()
 }
 
 /// The part of a link behind the `#` that fills in `inputs` again: `fx=700&b=100mm&d=50`. Empty fields are left out.
@@ -40,7 +52,9 @@ pub fn fragment(inputs: &Inputs, assessment: &Assessment) -> String {
             continue;
         }
         let (text, unit) = match assessment.reading(key) {
-            Some(reading) => (reading.number_text.as_str(), reading.unit.filter(|_| key.kind != Kind::Pixels)),
+            // With every digit that follows from what was typed.
+            Some(reading) if reading.is_computed => (entry.text.trim(), entry.unit),
+            Some(reading) => (reading.number_text.as_str(), reading.unit.filter(|&unit| unit != Unit::Pixel)),
             // The unit chosen beside it belongs to what may yet become a number.
             None if key.is_length() && entry.text.trim_end().ends_with(|c: char| c.is_ascii_digit()) => {
                 (entry.text.trim(), entry.chosen_unit(key))
@@ -53,6 +67,12 @@ pub fn fragment(inputs: &Inputs, assessment: &Assessment) -> String {
             percent_encoded(text),
             percent_encoded(&unit.map_or_else(String::new, |unit| unit.to_string()))
         ));
+    }
+    if inputs.object != Object::default() {
+        pairs.push(format!("object={}", inputs.object.key()));
+    }
+    if inputs.pair != Pair::default() {
+        pairs.push(format!("pair={}", inputs.pair.key()));
     }
     pairs.join("&")
 }
@@ -127,7 +147,7 @@ mod tests {
 
     #[test]
     fn what_is_written_reads_back_even_when_it_is_not_a_number() {
-        for text in ["700", "a&b=c%", "−3", "1,000", "mug ☕", "4 mm", "50 °"] {
+        for text in ["700", "a&b=c%", "−3", "1,000", "mug ☕", "4 kg", "1/3"] {
             let mut inputs = Example::CoffeeMug.inputs();
             inputs.entry_mut(Field::Disparity).text = text.into();
             let mut back = Inputs::default();

@@ -33,12 +33,15 @@ impl From<Field> for Key {
     fn from(field: Field) -> Self {
         match field {
             Field::FocalLength => fields::FOCAL_LENGTH,
+            Field::Lens => fields::FX_LENS,
+            Field::Fy => fields::FY,
             Field::Baseline => fields::BASELINE,
             Field::Disparity => fields::DISPARITY,
             Field::Doffs => fields::DOFFS,
             Field::ImageWidth => fields::IMAGE_WIDTH,
             Field::RealWidth => fields::REAL_WIDTH,
             Field::Tilt => fields::TILT,
+            Field::Zero => fields::ZERO,
         }
     }
 }

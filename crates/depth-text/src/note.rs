@@ -135,6 +135,18 @@ variants! {
         TwoReadings { text: String, many: String, few: String },
         /// A length where pixels are counted.
         LengthForPixels { key: Key, text: String, unit: Unit },
+        /// Pixels beside a focal length or extents that are lengths on the sensor.
+        PixelsBesideLengths { key: Key },
+        /// doffs, which is in pixels, beside a disparity that is not.
+        DoffsInPixels,
+        /// An object that subtends 180° or more.
+        ExtentTooWide { key: Key },
+        /// Distances are counted from a place that is as far away as the object.
+        BehindZero,
+        /// A focal length solved for, which an angle does not need.
+        AngleHasNoFocalLength,
+        /// A tilt of a ball.
+        BallHasNoTilt,
         /// Pixels where a length belongs.
         PixelsForLength { key: Key },
         /// A number with decimals where things are counted.
@@ -225,8 +237,12 @@ variants! {
 
         /// Numbers that give no focal length.
         NoFocalLength,
+        /// An angle at which nothing is left of a baseline.
+        NoBaseline,
         /// A minDisparity that is not a small whole number.
         MinDisparityNotWhole,
+        /// A second photograph that shows the object no larger than the first.
+        NotNearer,
         /// A range by tape that contradicts the distance that was computed.
         RangeContradicts { times: f64, is_given: bool },
         /// A ground distance, or the depth of a range, that is known to worse than 30 %, mostly because of this field.

@@ -1,22 +1,62 @@
 //! From readings to the mathematics: the only file that fills a [`Problem`] and asks for its [`Solution`].
 
 use crate::entry::Entry;
-use crate::field::Key;
+use crate::field::{Key, Kind};
 use crate::fields;
 use crate::note::{Fix, Issue, Note};
 use crate::reading::{Reading, with_opposite_sign};
+use crate::unit::Unit;
 use depth_core::camera::field_of_view;
 use depth_core::disparity::is_no_match;
+use depth_core::in_image::InImage;
 use depth_core::judge::{Term, Unsolvable};
 use depth_core::measured::Measured;
-use depth_core::problem::{Comparison, Field, Method, Outcome, Problem, Refusal, Solution, better_unit};
+use depth_core::problem::{Comparison, Field, Method, Outcome, Problem, Refusal, Solution, Solved, better_unit};
 use depth_core::quantity::{Length, Pixels};
-use depth_core::unknown::{Found, MonocularEquation, StereoEquation};
 
 /// Puts the value of `reading` into `problem`, where it is an input.
 pub(crate) fn set(problem: &mut Problem, reading: &Reading) {
-    if let Some(field) = reading.key.input {
-        problem.set(field, Some(reading.value));
+    let Some(field) = reading.key.input else { return };
+    match (reading.key.kind, reading.unit.map(Unit::base)) {
+        (Kind::FocalLength | Kind::Extent, Some(Unit::Length(_))) => {
+            problem.set_in_image(field, InImage::OnSensor(Measured::from_base(reading.value, 0.0)));
+        }
+        (Kind::Extent, Some(Unit::Angle(_))) => problem.set_in_image(field, InImage::Angle(Measured::from_base(reading.value, 0.0))),
+        _ => problem.set(field, Some(reading.value)),
+    }
+}
+
+/// What is to be said about lengths and pixels that do not go together: a focal length in a length belongs to extents that are
+/// lengths on the sensor, and the other way round. What is solved for goes with either.
+pub(crate) fn mixed_units(readings: &[Reading], unknown: Option<Key>) -> Vec<Note> {
+    let of = |key: Key| readings.iter().find(|reading| reading.key == key);
+    let is_length = |key: Key| of(key).is_some_and(|reading| reading.unit.is_some_and(Unit::is_length));
+    let is_px = |key: Key| of(key).is_some_and(|reading| reading.unit == Some(Unit::Pixel));
+    let extents = [fields::DISPARITY, fields::IMAGE_WIDTH];
+    let (fx, fy) = (fields::FOCAL_LENGTH, fields::FY);
+    let f_is_unknown = unknown == Some(fx);
+    let any_length = extents
+        .into_iter()
+        .any(|key| is_length(key) || (unknown == Some(key) && !is_px(key)));
+    let goes_with_lengths = any_length && (is_length(fx) || f_is_unknown || (of(fx).is_none() && is_length(fy)));
+    let length_for_pixels = |key: Key| {
+        let reading = of(key)?;
+        let issue = Issue::LengthForPixels {
+            key,
+            text: reading.text(),
+            unit: reading.unit?,
+        };
+        Some(Note::error(key, issue))
+    };
+    let with_lengths = [fx, fy].into_iter().chain(extents);
+    if goes_with_lengths {
+        // An angle goes with everything.
+        with_lengths
+            .filter(|&key| is_px(key))
+            .map(|key| Note::error(key, Issue::PixelsBesideLengths { key }))
+            .collect()
+    } else {
+        with_lengths.filter(|&key| is_length(key)).filter_map(length_for_pixels).collect()
     }
 }
 
@@ -45,7 +85,8 @@ pub(crate) fn judge(problem: &mut Problem, key: Key, entry: &Entry, reading: Opt
         }
         _ => {}
     }
-    if field == Field::Disparity && reading.is_some_and(|reading| is_no_match(reading.value)) {
+    let is_in_px = reading.is_some_and(|reading| reading.unit == Some(Unit::Pixel));
+    if field == Field::Disparity && is_in_px && reading.is_some_and(|reading| is_no_match(reading.value)) {
         let text = entry.text.trim().to_owned();
         return Some(Note::warning(key, Issue::NoMatchUsed { text }));
     }
@@ -56,7 +97,7 @@ pub(crate) fn judge(problem: &mut Problem, key: Key, entry: &Entry, reading: Opt
 pub(crate) fn spoil(problem: &mut Problem, key: Key) {
     if let Some(field) = key
         .input
-        .filter(|&field| Method::ALL.iter().any(|method| method.optional_field() == field))
+        .filter(|field| Method::ALL.iter().any(|method| method.optional_fields().contains(field)))
     {
         problem.set(field, Some(f64::NAN));
     }
@@ -86,57 +127,59 @@ pub(crate) fn refusals(solution: &Solution) -> impl Iterator<Item = (Key, Refusa
 }
 
 /// Solves the equation of `method` for `field`. The distance is missed only when nothing else is.
-pub(crate) fn solve_for(
-    method: Method,
-    field: Field,
-    problem: &Problem,
-    distance: Option<Measured<Length>>,
-) -> Result<Measured<f64>, Issue> {
-    let needed = method.fields().into_iter();
-    if let Some(lacking) = needed.into_iter().find(|&other| other != field && problem.get(other).is_none()) {
-        return Err(Issue::MissingForUnknown { key: lacking.into() });
+pub(crate) fn solve_for(method: Method, field: Field, problem: &Problem, distance: Option<Measured<Length>>) -> Result<Solved, Issue> {
+    if let Some(key) = lacking(method, field, problem) {
+        return Err(Issue::MissingForUnknown { key });
     }
     let distance = distance.ok_or(Issue::MissingForUnknown { key: fields::DISTANCE })?;
-    let solved = match method {
-        Method::Stereo => StereoEquation {
-            focal_length: problem.focal_length.filter(|_| field != Field::FocalLength),
-            baseline: problem.baseline.filter(|_| field != Field::Baseline),
-            disparity: problem.disparity.filter(|_| field != Field::Disparity),
-            doffs: (field != Field::Doffs).then(|| problem.offset()),
-            distance: Some(distance),
-        }
-        .solve(),
-        Method::Monocular => MonocularEquation {
-            focal_length: problem.focal_length.filter(|_| field != Field::FocalLength),
-            real_width: problem.foreshortened_width().filter(|_| field != Field::RealWidth),
-            image_width: problem.image_width.filter(|_| field != Field::ImageWidth),
-            distance: Some(distance),
-        }
-        .solve(),
-    };
-    match solved {
-        // The equation has the width that shows.
-        Ok(Found::RealWidth(width)) => Ok(problem.turned_away(width).to_base()),
-        Ok(found) => Ok(found.to_base()),
+    match problem.solve_for(method, field, distance) {
+        Ok(Some(solved)) => Ok(solved),
+        Ok(None) => Err(Issue::NoSolution),
+        Err(Unsolvable::NotOneUnknown) => Err(Issue::AngleHasNoFocalLength),
         Err(Unsolvable::Sigma { term }) => Err(Issue::SigmaOutOfProportion {
             key: match term {
                 Term::Input(field) => field.into(),
                 _ => fields::DISTANCE,
             },
         }),
+        Err(Unsolvable::Value {
+            refusal: Refusal::BehindZero,
+            ..
+        }) => Err(Issue::BehindZero),
         Err(_) => Err(Issue::NoSolution),
     }
 }
 
+/// The first input of the equation of `method` that is not known, `field` apart.
+fn lacking(method: Method, field: Field, problem: &Problem) -> Option<Key> {
+    let extent = match method {
+        Method::Stereo => problem.disparity,
+        Method::Monocular => problem.image_width,
+    };
+    let by_angle = matches!(extent, Some(InImage::Angle(_)));
+    let is_known = |other: Field| match other {
+        Field::FocalLength => by_angle || problem.focal_length_of(method).is_some(),
+        _ => problem.get(other).is_some(),
+    };
+    let needed = method.fields().into_iter();
+    needed
+        .filter(|&other| other != field)
+        .find(|&other| !is_known(other))
+        .map(Key::from)
+}
+
 /// Takes the solution of the equation of `method` as the value of `field`. What the σ of its terms would give back to the distance
 /// is only an echo; the focal length, which the other method needs too, keeps its own.
-pub(crate) fn take(problem: &mut Problem, method: Method, field: Field, found: Measured<f64>) {
-    problem.set(field, Some(found.value));
-    for own in method.own_fields().into_iter().chain([method.optional_field()]) {
+pub(crate) fn take(problem: &mut Problem, method: Method, field: Field, found: Solved) {
+    match found {
+        Solved::InImage(InImage::Pixels(_)) | Solved::Length(_) => problem.set(field, Some(found.to_base().value)),
+        Solved::InImage(extent) => problem.set_in_image(field, extent),
+    }
+    for own in method.own_fields().into_iter().chain([method.own_optional_field()]) {
         problem.set_sigma(own, 0.0);
     }
     if field == Field::FocalLength {
-        problem.set_sigma(field, found.sigma);
+        problem.set_sigma(field, found.to_base().sigma);
     }
 }
 
@@ -177,6 +220,10 @@ pub(crate) fn refused(key: Key, entry: &Entry, refusal: Refusal, reading: Option
     let issue = match refusal {
         Refusal::NotANumber => Issue::NotANumber { key, text },
         Refusal::TurnedAway => Issue::TiltTooLarge,
+        Refusal::TooWide => Issue::ExtentTooWide { key },
+        Refusal::BehindZero => Issue::BehindZero,
+        Refusal::OtherUnit if key == fields::DOFFS => Issue::DoffsInPixels,
+        Refusal::OtherUnit => Issue::PixelsBesideLengths { key },
         Refusal::Zero | Refusal::Negative if is_disparity && reading.is_some_and(|reading| is_no_match(reading.value)) => Issue::NoMatch {
             text: text.trim().to_owned(),
         },
@@ -197,7 +244,7 @@ pub(crate) fn refused(key: Key, entry: &Entry, refusal: Refusal, reading: Option
 }
 
 fn unusual(key: Key, field: Field, reading: Option<&Reading>) -> Note {
-    if field == Field::FocalLength
+    if matches!(field, Field::FocalLength | Field::Fy)
         && let Some(reading) = reading.filter(|reading| reading.value < LARGEST_MULTIPLE)
     {
         return multiple_of_width(key, reading);

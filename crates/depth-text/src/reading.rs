@@ -5,8 +5,7 @@
 use crate::entry::Entry;
 use crate::field::{Key, Kind};
 use crate::note::{Fix, Issue, Note};
-use crate::number::words_after_squares;
-use crate::number::{self, NumberError, Typed};
+use crate::number::{self, NumberError, Typed, plain, words_after_squares};
 use crate::unit::Unit;
 
 /// What a field means.
@@ -16,8 +15,10 @@ pub struct Reading {
     pub key: Key,
     /// The number as typed.
     pub number: f64,
-    /// The number as it was typed, without its unit.
+    /// The number as it was typed, without its unit; where it was worked out, the result.
     pub number_text: String,
+    /// Whether it was worked out: a product, a quotient, a fraction, several units.
+    pub is_computed: bool,
     /// The unit that holds: the one typed behind the number, else the one chosen beside it, else that of the field;
     /// `None` where there are no units.
     pub unit: Option<Unit>,
@@ -35,12 +36,16 @@ impl Reading {
     /// "10 cm": the number as typed, with its unit.
     pub fn text(&self) -> String {
         match self.unit {
-            Some(Unit::Degree) => format!("{}°", self.number_text),
             // In the unit in which their size was typed.
             Some(Unit::Square(_)) if !self.unit_text.is_empty() => format!("{} {}", self.number_text, self.unit_text),
-            Some(unit) => format!("{} {unit}", self.number_text),
+            Some(unit) => unit.behind(&self.number_text),
             None => self.number_text.clone(),
         }
+    }
+
+    /// The unit in which [`value`](Self::value) is; `None` where there are no units.
+    pub fn base_unit(&self) -> Option<Unit> {
+        self.unit.map(Unit::base)
     }
 }
 
@@ -52,7 +57,7 @@ pub(crate) fn with_opposite_sign(reading: &Reading) -> Fix {
         None => format!("-{}", number.trim_start_matches('+')),
     };
     let other_unit = reading.unit.filter(|&unit| Some(unit) != reading.key.kind.default_unit());
-    let value = other_unit.map_or_else(|| number.clone(), |unit| format!("{number} {unit}"));
+    let value = other_unit.map_or_else(|| number.clone(), |unit| unit.behind(&number));
     let entry = match reading.unit {
         Some(Unit::Length(unit)) => Entry {
             unit_was_typed: reading.unit_was_typed,
@@ -75,11 +80,11 @@ pub fn read(key: Key, entry: &Entry) -> Result<Option<Reading>, Note> {
     if !key.has_sigma && text != entry.text {
         return Err(Note::error(key, Issue::NoSigma { key }));
     }
-    let typed = number::read(&text).map_err(|error| unreadable(key, entry, error))?;
+    let typed = number::read(&text, key.kind.primes()).map_err(|error| unreadable(key, entry, error))?;
     let unit = match typed.unit {
         None => entry.chosen_unit(key),
         Some(unit) if key.kind.reads(unit) => Some(unit),
-        Some(unit) => return Err(Note::error(key, wrong_unit(key, entry, typed, unit))),
+        Some(unit) => return Err(Note::error(key, wrong_unit(key, entry, &typed, unit))),
     };
     if key.kind == Kind::Count && typed.number.fract() != 0.0 {
         let text = entry.text.clone();
@@ -94,9 +99,14 @@ pub fn read(key: Key, entry: &Entry) -> Result<Option<Reading>, Note> {
     Ok(Some(Reading {
         key,
         number: typed.number,
-        number_text: typed.number_text.to_owned(),
+        number_text: if typed.is_computed {
+            plain(typed.number)
+        } else {
+            typed.number_text
+        },
+        is_computed: typed.is_computed,
         unit,
-        unit_text: typed.unit_text.to_owned(),
+        unit_text: typed.unit_text,
         unit_was_typed: typed.unit.is_some() || entry.unit_was_typed,
         value,
         sigma: None,
@@ -112,6 +122,7 @@ pub fn read(key: Key, entry: &Entry) -> Result<Option<Reading>, Note> {
 /// What is wrong with it.
 pub fn read_sigma(key: Key, entry: &Entry, unit: Option<Unit>, value: Option<f64>) -> Result<Option<f64>, Note> {
     let text = entry.sigma_text();
+    let text = number::normalized(text.trim());
     let text = text.as_ref();
     if text.is_empty() {
         return Ok(None);
@@ -119,7 +130,7 @@ pub fn read_sigma(key: Key, entry: &Entry, unit: Option<Unit>, value: Option<f64
     let quote = || text.to_owned();
     let wrong = |issue: Issue| Err(Note::of_sigma(key, issue));
     let (number_text, percent) = text.strip_suffix('%').map_or((text, false), |number| (number, true));
-    let typed = match number::read(number_text) {
+    let typed = match number::read(number_text, key.kind.primes()) {
         Ok(typed) => typed,
         Err(NumberError::Ambiguous { .. }) => return wrong(Issue::SigmaTwoReadings { key, text: quote() }),
         Err(NumberError::UnknownUnit(_)) => return wrong(Issue::SigmaUnknownUnit { key, text: quote() }),
@@ -133,7 +144,9 @@ pub fn read_sigma(key: Key, entry: &Entry, unit: Option<Unit>, value: Option<f64
         (None, true, None) => return Ok(None),
         (None, true, Some(0.0)) if typed.number > 0.0 => return wrong(Issue::SigmaPercentOfZero { key, text: quote() }),
         (None, true, Some(value)) => typed.number / 100.0 * value.abs(),
-        (Some(unit), false, _) if key.kind.reads(unit) => unit.to_base(typed.number),
+        (Some(sigma), false, _) if key.kind.reads(sigma) && unit.is_none_or(|unit| unit.base() == sigma.base()) => {
+            sigma.to_base(typed.number)
+        }
         (Some(_), false, _) => return wrong(Issue::SigmaWrongUnit { key, text: quote() }),
         (None, false, _) => unit.map_or(typed.number, |unit| unit.to_base(typed.number)),
     };
@@ -155,9 +168,9 @@ pub fn read_with_sigma(key: Key, entry: &Entry) -> Result<Option<Reading>, Note>
     Ok(reading.map(|reading| Reading { sigma, ..reading }))
 }
 
-fn wrong_unit(key: Key, entry: &Entry, typed: Typed<'_>, unit: Unit) -> Issue {
+fn wrong_unit(key: Key, entry: &Entry, typed: &Typed, unit: Unit) -> Issue {
     match (key.kind, unit) {
-        (Kind::Pixels, Unit::Length(_)) => Issue::LengthForPixels {
+        (Kind::Pixels | Kind::FocalLength | Kind::Extent, unit) if unit.is_length() => Issue::LengthForPixels {
             key,
             text: entry.text.clone(),
             unit,
@@ -165,7 +178,7 @@ fn wrong_unit(key: Key, entry: &Entry, typed: Typed<'_>, unit: Unit) -> Issue {
         (Kind::Length(_) | Kind::Pitch, Unit::Pixel) => Issue::PixelsForLength { key },
         _ => Issue::UnitDoesNotFit {
             key,
-            unit: typed.unit_text.to_owned(),
+            unit: typed.unit_text.clone(),
         },
     }
 }
@@ -193,8 +206,14 @@ fn unreadable(key: Key, entry: &Entry, error: NumberError) -> Note {
             few: few.clone(),
         },
     };
-    let fixes = readings
-        .into_iter()
-        .map(|reading| Fix::new(reading.clone(), Entry::new(reading, entry.unit)));
+    let fixes = readings.into_iter().map(|reading| {
+        Fix::new(
+            reading.clone(),
+            Entry {
+                unit: entry.unit,
+                ..Entry::new(reading, None)
+            },
+        )
+    });
     Note::error(key, issue).with_fixes(fixes.collect())
 }

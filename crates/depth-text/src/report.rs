@@ -3,16 +3,23 @@
 
 use crate::assess::{Assessment, Unknown};
 use crate::field::Key;
+use crate::fields;
 use crate::geometry::PointOrigin;
 use crate::names::{self, Named};
 use crate::note::Issue;
+use crate::number::{significant, with_minus};
+use crate::reading::Reading;
 use crate::sentences::{Statement, needs, percent, short_name};
 use crate::style::Style;
 use crate::unit::Unit;
+use depth_core::angle::AngleUnit;
 use depth_core::camera::{GroundSolution, PointSolution};
+use depth_core::in_image::InImage;
 use depth_core::measured::Measured;
-use depth_core::problem::{Method, Origin, Solution, Uncertainty};
+use depth_core::problem::{Method, Origin, Solution, Solved, Uncertainty};
 use depth_core::quantity::{Length, LengthUnit};
+use depth_core::two_points::TwoPointsSolution;
+use depth_core::two_shots::TwoShotsSolution;
 
 pub use crate::style::{DIGITS, NO_UPPER_BOUND, WithSigma};
 
@@ -23,9 +30,14 @@ pub fn length(length: Option<Length>, unit: LengthUnit) -> String {
     STYLE.length(length, unit)
 }
 
-/// [`length`] without the unit.
-pub fn length_number(length: Option<Length>, unit: LengthUnit) -> String {
-    STYLE.number(length.map(|length| length.in_unit(unit)))
+/// "1.400" and "m"; see [`Style::length_parts`].
+pub fn length_parts(length: Option<Length>, unit: LengthUnit) -> [String; 2] {
+    STYLE.length_parts(length, unit)
+}
+
+/// "1.400" and "m ± 0.016"; see [`Style::measured_parts`].
+pub fn measured_parts(length: Measured<Length>, unit: LengthUnit) -> [String; 2] {
+    STYLE.measured_parts(length, unit)
 }
 
 /// "1.373 … 1.429 m"; see [`Style::range`].
@@ -38,19 +50,47 @@ pub fn one_pixel_range(solution: &Solution, unit: LengthUnit) -> Option<String> 
     STYLE.one_pixel_range(solution, unit)
 }
 
-/// `length` and its `sigma` in `unit`; see [`Style::with_sigma`].
-pub fn with_sigma(length: Length, sigma: Length, unit: LengthUnit) -> WithSigma {
-    STYLE.with_sigma(length.in_unit(unit), sigma.in_unit(unit))
-}
-
 /// "1.384 … 1.416 m"; see [`Style::interval`].
 pub fn interval(uncertainty: &Uncertainty, unit: LengthUnit) -> String {
     STYLE.interval(uncertainty, unit)
 }
 
-/// The formula of `method` with its symbols, with doffs or tilt where there is one.
-pub fn formula(solution: &Solution, method: Method) -> &'static str {
-    names::formula(method, solution.problem.get(method.optional_field()).is_some())
+/// The formula of `method` with its symbols, as it is solved; see [`names::formula`].
+pub fn formula(solution: &Solution, method: Method) -> String {
+    names::formula(&solution.problem, method)
+}
+
+/// What is to be said about a distance by `method`, a line each: what was read where that was worked out or could be mistaken, and that
+/// the focal length of the lens was added.
+pub fn remarks(assessment: &Assessment, method: Method) -> Vec<Statement> {
+    let solution = &assessment.solution;
+    let mut lines = Vec::new();
+    if let Some(lens) = solution.added_lens(method) {
+        let unit = assessment.reading(fields::FX_LENS).and_then(|reading| reading.unit?.length());
+        let unit = unit.unwrap_or(LengthUnit::Millimeter);
+        lines.push(Statement::LensAdded { lens, unit });
+    }
+    let extent = match method {
+        Method::Stereo => fields::DISPARITY,
+        Method::Monocular => fields::IMAGE_WIDTH,
+    };
+    let is_mil = assessment
+        .reading(extent)
+        .is_some_and(|reading| reading.unit == Some(Unit::Angle(AngleUnit::NatoMil)));
+    if is_mil {
+        lines.push(Statement::NatoMil);
+    }
+    lines
+}
+
+/// What a reading says that its text does not: the result of what was worked out, which mil it is. `None` where nothing.
+pub fn read_as(reading: &Reading) -> Option<String> {
+    if reading.is_computed {
+        let unit = reading.unit;
+        let number = significant(reading.number, 6);
+        return Some(format!("= {}", unit.map_or_else(|| number.clone(), |unit| unit.behind(&number))));
+    }
+    (reading.unit == Some(Unit::Angle(AngleUnit::NatoMil))).then(|| Statement::NatoMil.to_string())
 }
 
 /// The formula of `method` with the numbers as they were typed and its result in `unit`, or `None` while an input is missing:
@@ -115,6 +155,7 @@ fn output_rows(solution: &Solution, unit: LengthUnit) -> impl Iterator<Item = Ro
         description,
     };
     let length = |name: &str, length: Option<Length>, description| {
+        let unit = length.map_or(unit, |length| STYLE.unit_of(length, unit));
         row(name, length.map(|length| length.in_unit(unit)), Unit::Length(unit), description)
     };
     let combined = solution.combined.map(|combined| {
@@ -227,6 +268,33 @@ pub const fn point_origin(origin: PointOrigin) -> &'static str {
 /// What a depth is called that a range by tape gives.
 pub const DEPTH_OF_RANGE: &str = "depth along the axis, from the range";
 
+/// What two photographs say, a name and a value each, in `unit`.
+pub fn two_shots(style: Style, shots: &TwoShotsSolution, unit: LengthUnit) -> Vec<(&'static str, String)> {
+    let size = shots.size.map(|size| ("Width of the object", style.measured(size, unit)));
+    let distances = [
+        (FROM_FIRST_PLACE, style.measured(shots.far, unit)),
+        ("From the second place", style.measured(shots.near, unit)),
+    ];
+    distances.into_iter().chain(size).collect()
+}
+
+/// The name of the distance from where the first of two photographs was taken.
+pub const FROM_FIRST_PLACE: &str = "From the first place";
+
+/// What two points say, a name and a value each, in `unit`.
+pub fn two_points(style: Style, points: &TwoPointsSolution, unit: LengthUnit) -> [(&'static str, String); 4] {
+    let signed = |length: Length| with_minus(&style.length(Some(length), unit));
+    [
+        (BETWEEN_POINTS, style.measured(points.distance, unit)),
+        ("To the right", signed(points.dx)),
+        ("Down", signed(points.dy)),
+        ("Farther away", with_minus(&style.measured(points.dz, unit))),
+    ]
+}
+
+/// The name of the length between two points.
+pub const BETWEEN_POINTS: &str = "Between the points";
+
 /// The name of the distance on the floor.
 pub const ALONG_FLOOR: &str = "Along the floor";
 
@@ -260,22 +328,33 @@ pub fn ground(style: Style, ground: &GroundSolution, unit: LengthUnit) -> Vec<(&
 
 /// What was solved for with its uncertainty, a length in `unit`: "100.0 ± 1.2 mm"; `None` where something is lacking.
 pub fn unknown(style: Style, unknown: &Unknown, unit: LengthUnit) -> Option<String> {
-    let (value, sigma, unit) = unknown_in(unknown, unit)?;
-    Some(if sigma > 0.0 {
-        style.with_sigma(value, sigma).text(unit)
-    } else {
-        format!("{} {}", style.number(Some(value)), unit.symbol())
+    Some(match *unknown.outcome.as_ref().ok()? {
+        Solved::Length(length) => style.measured(length, unit),
+        Solved::InImage(InImage::OnSensor(length)) => style.measured(length, LengthUnit::Millimeter),
+        Solved::InImage(extent) => {
+            let Measured { value, sigma } = extent.to_base();
+            if sigma > 0.0 {
+                style.with_sigma(value, sigma).text(Unit::Pixel)
+            } else {
+                format!("{} {}", style.number(Some(value)), Unit::Pixel)
+            }
+        }
     })
 }
 
 /// [`unknown`] in two parts, of which the second is written smaller: "100.0" and "mm ± 1.2".
 pub fn unknown_in_parts(unknown: &Unknown, unit: LengthUnit) -> Option<[String; 2]> {
-    let (value, sigma, unit) = unknown_in(unknown, unit)?;
-    Some(if sigma > 0.0 {
-        let WithSigma { value, sigma } = STYLE.with_sigma(value, sigma);
-        [value, format!("{} ± {sigma}", unit.symbol())]
-    } else {
-        [STYLE.number(Some(value)), unit.symbol().to_owned()]
+    Some(match *unknown.outcome.as_ref().ok()? {
+        Solved::Length(length) => STYLE.measured_parts(length, unit),
+        Solved::InImage(InImage::OnSensor(length)) => STYLE.measured_parts(length, LengthUnit::Millimeter),
+        Solved::InImage(extent) => {
+            let Measured { value, sigma } = extent.to_base();
+            if sigma > 0.0 {
+                STYLE.with_sigma(value, sigma).parts(Unit::Pixel)
+            } else {
+                [STYLE.number(Some(value)), Unit::Pixel.to_string()]
+            }
+        }
     })
 }
 
@@ -288,16 +367,6 @@ pub fn why_unsolved(assessment: &Assessment, unknown: &Unknown) -> Option<String
         (None, Issue::MissingForUnknown { key }) => needs(&[*key]),
         (None, issue) => issue.to_string(),
     })
-}
-
-/// What was solved for and its σ, a length in `unit`, with the unit that both are in.
-fn unknown_in(unknown: &Unknown, unit: LengthUnit) -> Option<(f64, f64, Unit)> {
-    let found = unknown.outcome.as_ref().ok()?;
-    let unit = match Key::from(unknown.field).kind.base_unit()? {
-        Unit::Length(_) => Unit::Length(unit),
-        other => other,
-    };
-    Some((unit.from_base(found.value), unit.from_base(found.sigma), unit))
 }
 
 #[cfg(test)]

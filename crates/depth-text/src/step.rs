@@ -14,25 +14,31 @@ impl Entry {
             return;
         }
         self.tidy(key);
-        let Ok(typed) = number::read(&self.text) else { return };
+        let Ok(typed) = number::read(&self.text, key.kind.primes()) else {
+            return;
+        };
+        // The last digit of a fraction is no digit of the number.
+        if typed.is_computed {
+            return;
+        }
         let unit = match typed.unit {
-            None => "",
+            None => None,
             // An angle in radians keeps its unit; a unit that the field does not have is not counted away.
-            Some(unit) if key.kind.reads(unit) => unit.symbol(),
+            Some(unit) if key.kind.reads(unit) => Some(unit),
             Some(_) => return,
         };
-        if let Some(number) = stepped(typed, steps) {
-            self.text = format!("{number} {unit}").trim_end().to_owned();
+        if let Some(number) = stepped(&typed, steps) {
+            self.text = unit.map_or_else(|| number.clone(), |unit| unit.behind(&number));
         }
     }
 }
 
-fn stepped(typed: number::Typed<'_>, steps: i32) -> Option<String> {
+fn stepped(typed: &number::Typed, steps: i32) -> Option<String> {
     const MOST_DECIMALS: usize = 12;
     if typed.number <= 0.0 {
         return None;
     }
-    if typed.number_text.contains(['e', 'E']) {
+    if typed.number_text.contains(['e', 'E', '×', '*']) {
         // The last digit of 1e3 is a thousand: too coarse a step, so count hundredths of the number.
         let value = typed.number * (1.0 + f64::from(steps) * 0.01);
         return (value.is_normal() && value > 0.0).then(|| plain(value));
@@ -71,8 +77,9 @@ mod tests {
             ("", 1, "50"),
             ("abc", 1, "abc"),
             ("-3", 1, "-3"),
-            ("4 mm", 1, "4 mm"),
-            ("20°", 1, "20°"),
+            ("4 kg", 1, "4 kg"),
+            ("20°", 1, "21"),
+            ("1/3", 1, "1/3"),
         ] {
             assert_eq!(stepped(text, steps), expected, "{text:?} by {steps}");
         }

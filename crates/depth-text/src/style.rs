@@ -3,11 +3,12 @@
 use crate::assess::Assessment;
 use crate::field::Key;
 use crate::names::formula;
-use crate::number::{NO_NUMBER, Notation, TYPED_DIGITS, magnitude};
+use crate::number::{self, NO_NUMBER, Notation, TYPED_DIGITS, magnitude};
 use crate::reading::Reading;
 use crate::unit::Unit;
+use depth_core::in_image::InImage;
 use depth_core::measured::Measured;
-use depth_core::problem::{Field, Method, Solution, Uncertainty};
+use depth_core::problem::{Field, Method, Solution, Solved, Uncertainty};
 use depth_core::quantity::{Length, LengthUnit};
 
 /// Significant digits of a result without σ.
@@ -26,6 +27,8 @@ pub struct Style {
     open_end: [&'static str; 2],
     /// Whether a simulation is shown where σ alone would mislead.
     pub(crate) has_simulation: bool,
+    /// Whether lengths that are long or short in the unit that was chosen are written in the next one.
+    follows_unit: bool,
 }
 
 /// A value and its σ, written to the same decimal.
@@ -35,12 +38,26 @@ pub struct WithSigma {
     pub value: String,
     /// Its σ with two significant digits.
     pub sigma: String,
+    /// The power of ten of both, " × 10⁻¹¹"; empty where they are written out.
+    pub power: String,
 }
 
 impl WithSigma {
-    /// "1.400 ± 0.016 m".
+    /// "1.400 ± 0.016 m", "(1.400 ± 0.016) × 10⁻¹¹ m".
     pub fn text(&self, unit: impl Into<Unit>) -> String {
-        format!("{} ± {} {}", self.value, self.sigma, unit.into().symbol())
+        let Self { value, sigma, power } = self;
+        let symbol = unit.into().symbol();
+        if power.is_empty() {
+            format!("{value} ± {sigma} {symbol}")
+        } else {
+            format!("({value} ± {sigma}){power} {symbol}")
+        }
+    }
+
+    /// "1.400" and "m ± 0.016", of which the second is written smaller.
+    pub fn parts(&self, unit: impl Into<Unit>) -> [String; 2] {
+        let Self { value, sigma, power } = self;
+        [format!("{value}{power}"), format!("{} ± {sigma}{power}", unit.into().symbol())]
     }
 }
 
@@ -51,60 +68,154 @@ impl Style {
         to: "…",
         open_end: ["…", NO_UPPER_BOUND],
         has_simulation: true,
+        follows_unit: true,
     };
 
     /// On the command line.
     pub const TERMINAL: Self = Self {
-        notation: Notation::LONG,
+        notation: Notation::TERMINAL,
         to: "to",
         open_end: ["or more,", "without an upper bound"],
         has_simulation: false,
+        follows_unit: true,
     };
+
+    /// The same with every length in the unit that was asked for.
+    #[must_use]
+    pub const fn in_unit_asked_for(self) -> Self {
+        Self {
+            notation: Notation::LONG,
+            follows_unit: false,
+            ..self
+        }
+    }
+
+    /// The unit that `length` is written in: `chosen`, or where that makes it longer than five digits before the point or too short to be
+    /// written out the next one of its system in which it is not. Where there is none, `chosen`: it then has a power of ten.
+    pub fn unit_of(self, length: Length, chosen: LengthUnit) -> LengthUnit {
+        use LengthUnit::{Foot, Inch, Kilometer, Meter, Micrometer, Mile, Millimeter, Nanometer, Yard};
+        const LONGEST: f64 = 99_999.0;
+        let is_metric = !matches!(chosen, Inch | Foot | Yard | Mile);
+        let (larger, smaller, last): (&[LengthUnit], &[LengthUnit], LengthUnit) = if is_metric {
+            (
+                &[Millimeter, Meter, Kilometer],
+                &[Meter, Millimeter, Micrometer, Nanometer],
+                Kilometer,
+            )
+        } else {
+            (&[Foot, Mile], &[Foot, Inch], Mile)
+        };
+        let size = |unit| Length::new(1.0, unit);
+        let of = |unit| length.in_unit(unit).abs();
+        let longest = |unit| if unit == last { 999_999.0 } else { LONGEST };
+        let value = of(chosen);
+        if !self.follows_unit || value == 0.0 || !value.is_finite() {
+            return chosen;
+        }
+        let next = if value > longest(chosen) {
+            larger.iter().find(|&&unit| size(unit) > size(chosen) && of(unit) <= longest(unit))
+        } else if value < self.notation.smallest() {
+            smaller.iter().find(|&&unit| size(unit) < size(chosen) && of(unit) >= 0.1)
+        } else {
+            None
+        };
+        next.copied().unwrap_or(chosen)
+    }
 
     /// A number without σ: "1.400", or "–.–" where there is none.
     pub fn number(self, value: Option<f64>) -> String {
         value.map_or_else(|| NO_NUMBER.to_owned(), |value| self.notation.significant(value, DIGITS))
     }
 
-    /// `length` in `unit`: "1.400 m", or "–.– m" where there is none.
+    /// `length` in `unit` or [the next one](Self::unit_of): "1.400 m", or "–.– m" where there is none.
     pub fn length(self, length: Option<Length>, unit: LengthUnit) -> String {
-        format!("{} {}", self.number(length.map(|length| length.in_unit(unit))), unit.symbol())
+        self.length_parts(length, unit).join(" ")
     }
 
-    /// `value` with as many decimals as show two digits of `sigma`, and at least two digits of its own.
+    /// [`length`](Self::length) as number and unit.
+    pub fn length_parts(self, length: Option<Length>, unit: LengthUnit) -> [String; 2] {
+        let unit = length.map_or(unit, |length| self.unit_of(length, unit));
+        let number = self.number(length.map(|length| length.in_unit(unit)));
+        [number, unit.symbol().to_owned()]
+    }
+
+    /// `value` with as many decimals as show two digits of `sigma`, and at least two digits of its own. Where the value is not written
+    /// out, neither is σ: both have its power of ten.
     pub fn with_sigma(self, value: f64, sigma: f64) -> WithSigma {
+        let exponent = if self.notation.writes_out(value) || value == 0.0 {
+            0
+        } else {
+            magnitude(value)
+        };
+        let scale = 10.0_f64.powi(exponent);
+        // A power of ten beyond the range of numbers is taken away in two steps.
+        let scaled = |number: f64| {
+            if scale.is_normal() {
+                number / scale
+            } else {
+                number / 10.0_f64.powi(exponent + 100) * 1e100
+            }
+        };
+        let (value, sigma) = if exponent == 0 {
+            (value, sigma)
+        } else {
+            (scaled(value), scaled(sigma))
+        };
         WithSigma {
             value: self.notation.to_decimals(value, decimals_beside(value, sigma)),
             sigma: self.notation.significant(sigma, 2),
+            power: if exponent == 0 { String::new() } else { number::power(exponent) },
         }
+    }
+
+    /// A length and its σ, both in `unit` or in [the next one](Self::unit_of), which is returned too.
+    pub fn length_with_sigma(self, length: Measured<Length>, unit: LengthUnit) -> (WithSigma, LengthUnit) {
+        let unit = self.unit_of(length.value, unit);
+        (self.with_sigma(length.value.in_unit(unit), length.sigma.in_unit(unit)), unit)
     }
 
     /// A length with its σ where that is above 0: "1.400 ± 0.016 m".
     pub fn measured(self, length: Measured<Length>, unit: LengthUnit) -> String {
         if length.sigma.m() > 0.0 {
-            self.with_sigma(length.value.in_unit(unit), length.sigma.in_unit(unit)).text(unit)
+            let (written, unit) = self.length_with_sigma(length, unit);
+            written.text(unit)
         } else {
             self.length(Some(length.value), unit)
         }
     }
 
+    /// [`measured`](Self::measured) in two parts, of which the second is written smaller: "1.400" and "m ± 0.016".
+    pub fn measured_parts(self, length: Measured<Length>, unit: LengthUnit) -> [String; 2] {
+        if length.sigma.m() > 0.0 {
+            let (written, unit) = self.length_with_sigma(length, unit);
+            written.parts(unit)
+        } else {
+            self.length_parts(Some(length.value), unit)
+        }
+    }
+
     /// The distance of `method` with its σ where that is known: "1.400 ± 0.016 m".
     pub fn distance(self, solution: &Solution, method: Method, unit: LengthUnit) -> String {
-        let distance = solution.outcome(method).distance();
-        match (distance, solution.uncertainty(method)) {
-            (Some(distance), Some(uncertainty)) => self.with_sigma(distance.in_unit(unit), uncertainty.sigma.in_unit(unit)).text(unit),
-            _ => self.length(distance, unit),
+        match solution.outcome(method).distance() {
+            Some(distance) => {
+                let sigma = solution.uncertainty(method).map_or(Length::from_m(0.0), |known| known.sigma);
+                self.measured(Measured::new(distance, sigma), unit)
+            }
+            None => self.length(None, unit),
         }
     }
 
     /// From `near` to `far`, if it ends at all: "1.373 … 1.429 m".
     pub fn range(self, near: Length, far: Option<Length>, unit: LengthUnit) -> String {
+        let unit = self.unit_of(far.unwrap_or(near), unit);
         self.range_of(near, far, unit, |end| self.notation.significant(end, DIGITS))
     }
 
     /// The 1 σ interval, to the decimals of σ: "1.384 … 1.416 m".
     pub fn interval(self, uncertainty: &Uncertainty, unit: LengthUnit) -> String {
-        let decimals = decimals_beside(uncertainty.model.depth().in_unit(unit), uncertainty.sigma.in_unit(unit));
+        let depth = uncertainty.model.depth();
+        let unit = self.unit_of(depth, unit);
+        let decimals = decimals_beside(depth.in_unit(unit), uncertainty.sigma.in_unit(unit));
         let interval = uncertainty.interval;
         self.range_of(interval.near, interval.far, unit, |end| self.notation.to_decimals(end, decimals))
     }
@@ -139,23 +250,35 @@ impl Style {
             Some(match typed {
                 Some(reading) => self.typed(reading),
                 None => {
-                    let unit = key.kind.default_unit()?;
-                    format!("{} {unit}", self.number(Some(unit.from_base(value))))
+                    let unit = unit_of_solved(assessment)
+                        .filter(|_| assessment.is_solved_for(key))
+                        .or(key.kind.default_unit())?;
+                    unit.behind(&self.number(Some(unit.from_base(value))))
                 }
             })
         };
-        let symbols = formula(method, problem.get(method.optional_field()).is_some()).trim_start_matches("D = ");
+        let formula = formula(problem, method);
+        let symbols = formula.trim_start_matches("D = ");
         let numbers: Option<Vec<String>> = symbols
             .split(' ')
             .map(|word| {
-                let symbol = word.trim_matches(['(', ')']);
-                match Key::form().find(|key| key.symbol == symbol) {
+                // Behind "tan(" and before ")²".
+                let start = word.rfind('(').map_or(0, |at| at + 1);
+                let end = word.find(')').unwrap_or(word.len());
+                let symbol = word.get(start..end).unwrap_or_default();
+                match Key::form().find(|key| key.symbol == symbol && key.input.is_some()) {
                     Some(key) => Some(word.replace(symbol, &value(key)?)),
                     None => Some(word.to_owned()),
                 }
             })
             .collect();
-        Some(numbers?.join(" ").replace("+ -", "− ").replace("+ −", "− "))
+        let numbers = numbers?.join(" ");
+        let without_double_signs = [("+ -", "− "), ("+ −", "− "), ("− -", "+ "), ("− −", "+ ")];
+        Some(
+            without_double_signs
+                .into_iter()
+                .fold(numbers, |text, (signs, sign)| text.replace(signs, sign)),
+        )
     }
 
     /// A number as it was typed with its unit, "10 cm", or with fewer digits where nobody could read them.
@@ -164,8 +287,17 @@ impl Style {
         if reading.number_text.len() <= LONGEST {
             return reading.text();
         }
-        let unit = reading.unit.map_or_else(String::new, |unit| format!(" {unit}"));
-        format!("{}{unit}", self.notation.plain(reading.number, TYPED_DIGITS))
+        let number = self.notation.plain(reading.number, TYPED_DIGITS);
+        reading.unit.map_or_else(|| number.clone(), |unit| unit.behind(&number))
+    }
+}
+
+/// The unit of what was solved for, where that is measured in the image.
+fn unit_of_solved(assessment: &Assessment) -> Option<Unit> {
+    let solved = assessment.unknown.as_ref()?.outcome.as_ref().ok()?;
+    match solved {
+        Solved::InImage(InImage::OnSensor(_)) => Some(Unit::Length(LengthUnit::Millimeter)),
+        _ => None,
     }
 }
 

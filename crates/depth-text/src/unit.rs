@@ -1,9 +1,10 @@
 //! The units that can be typed behind a number.
 
 use crate::number;
-use depth_core::angle::Angle;
+use depth_core::angle::{Angle, AngleUnit};
 use depth_core::judge;
 use depth_core::quantity::{Length, LengthUnit};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt::{self, Display, Formatter};
 
 /// A unit that can be typed behind a number.
@@ -11,34 +12,56 @@ use std::fmt::{self, Display, Formatter};
 pub enum Unit {
     /// px
     Pixel,
-    /// A unit of length that results can be shown in as well.
+    /// A unit of length.
     Length(LengthUnit),
-    /// µm, the unit of pixel pitches.
-    Micrometer,
+    /// A unit of angle.
+    Angle(AngleUnit),
     /// The side of a square of a calibration board, as long as this: what OpenCV computes in where the size of the squares was
     /// not told.
     Square(Length),
-    /// °
-    Degree,
-    /// rad
-    Radian,
 }
 
 impl Unit {
-    /// The unit that `word` names: symbols, English names in singular and plural, and the primes of inch and foot. Squares, which
-    /// need their size, are read with the number.
-    pub fn named(word: &str) -> Option<Self> {
-        Some(match word.to_lowercase().as_str() {
-            "px" | "pixel" | "pixels" => Self::Pixel,
-            "mm" | "millimetre" | "millimetres" | "millimeter" | "millimeters" => Self::Length(LengthUnit::Millimeter),
-            "cm" | "centimetre" | "centimetres" | "centimeter" | "centimeters" => Self::Length(LengthUnit::Centimeter),
-            "m" | "metre" | "metres" | "meter" | "meters" => Self::Length(LengthUnit::Meter),
-            "in" | "inch" | "inches" | "\"" | "″" => Self::Length(LengthUnit::Inch),
-            "ft" | "foot" | "feet" | "'" | "′" => Self::Length(LengthUnit::Foot),
+    /// °
+    pub const DEGREE: Self = Self::Angle(AngleUnit::Degree);
+
+    /// The unit that `word` names: symbols, English names in singular and plural, and primes, which are minutes and seconds where
+    /// `primes_are_angles`, else feet and inches. Squares, which need their size, are read with the number.
+    pub fn named(word: &str, primes_are_angles: bool) -> Option<Self> {
+        use AngleUnit::{Arcminute, Arcsecond, Degree, Milliradian, MinuteOfAngle, NatoMil, Radian};
+        use LengthUnit::{Centimeter, Foot, Inch, Kilometer, Meter, Micrometer, Mile, Millimeter, Nanometer, Yard};
+        let word = word.to_lowercase();
+        let either = |angle, length| {
+            if primes_are_angles {
+                Self::Angle(angle)
+            } else {
+                Self::Length(length)
+            }
+        };
+        Some(match word.as_str() {
+            "px" | "pix" | "pixel" | "pixels" => Self::Pixel,
+            "\"" | "″" | "”" | "''" | "′′" => either(Arcsecond, Inch),
+            "'" | "′" | "’" => either(Arcminute, Foot),
+            "nm" | "nanometre" | "nanometres" | "nanometer" | "nanometers" => Self::Length(Nanometer),
             // With the micro sign, which lower case leaves as it is, and with the Greek letter.
-            "µm" | "μm" | "um" | "micrometre" | "micrometres" | "micrometer" | "micrometers" | "micron" | "microns" => Self::Micrometer,
-            "°" | "deg" | "degree" | "degrees" => Self::Degree,
-            "rad" | "radian" | "radians" => Self::Radian,
+            "µm" | "μm" | "um" | "micrometre" | "micrometres" | "micrometer" | "micrometers" | "micron" | "microns" => {
+                Self::Length(Micrometer)
+            }
+            "mm" | "millimetre" | "millimetres" | "millimeter" | "millimeters" => Self::Length(Millimeter),
+            "cm" | "centimetre" | "centimetres" | "centimeter" | "centimeters" => Self::Length(Centimeter),
+            "m" | "metre" | "metres" | "meter" | "meters" => Self::Length(Meter),
+            "km" | "kilometre" | "kilometres" | "kilometer" | "kilometers" => Self::Length(Kilometer),
+            "in" | "inch" | "inches" => Self::Length(Inch),
+            "ft" | "foot" | "feet" => Self::Length(Foot),
+            "yd" | "yds" | "yard" | "yards" => Self::Length(Yard),
+            "mi" | "mile" | "miles" => Self::Length(Mile),
+            "°" | "deg" | "degs" | "degree" | "degrees" => Self::Angle(Degree),
+            "arcmin" | "arcminute" | "arcminutes" => Self::Angle(Arcminute),
+            "arcsec" | "arcsecond" | "arcseconds" => Self::Angle(Arcsecond),
+            "rad" | "radian" | "radians" => Self::Angle(Radian),
+            "mrad" | "mrads" | "milliradian" | "milliradians" => Self::Angle(Milliradian),
+            "moa" | "minute of angle" | "minutes of angle" => Self::Angle(MinuteOfAngle),
+            "mil" | "mils" | "nato mil" | "nato mils" => Self::Angle(NatoMil),
             _ => return None,
         })
     }
@@ -53,33 +76,45 @@ impl Unit {
         match self {
             Self::Pixel => "px",
             Self::Length(unit) => unit.symbol(),
-            Self::Micrometer => "µm",
+            Self::Angle(unit) => unit.symbol(),
             Self::Square(_) => "squares",
-            Self::Degree => "°",
-            Self::Radian => "rad",
         }
     }
 
-    /// `number` of this unit in the base unit of its kind: pixels, meters or radians.
+    /// `number` with this unit: "10 cm", "20°".
+    pub fn behind(self, number: &str) -> String {
+        match self {
+            Self::Angle(AngleUnit::Degree | AngleUnit::Arcminute | AngleUnit::Arcsecond) => format!("{number}{self}"),
+            _ => format!("{number} {self}"),
+        }
+    }
+
+    /// `number` of this unit in the [base unit](Self::base) of its kind.
     pub fn to_base(self, number: f64) -> f64 {
         match self {
-            Self::Pixel | Self::Radian => number,
+            Self::Pixel => number,
             Self::Length(unit) => Length::new(number, unit).m(),
-            // In two steps, each of which rounds as it does for somebody who types millimeters.
-            Self::Micrometer => Length::new(number / 1000.0, LengthUnit::Millimeter).m(),
+            Self::Angle(unit) => Angle::new(number, unit).radians(),
             Self::Square(size) => number * size.m(),
-            Self::Degree => Angle::from_degrees(number).radians(),
         }
     }
 
     /// `base` pixels, meters or radians as a number of this unit.
     pub fn from_base(self, base: f64) -> f64 {
         match self {
-            Self::Pixel | Self::Radian => base,
+            Self::Pixel => base,
             Self::Length(unit) => Length::from_m(base).in_unit(unit),
-            Self::Micrometer => Length::from_m(base).in_unit(LengthUnit::Millimeter) * 1000.0,
+            Self::Angle(unit) => Angle::from_radians(base).in_unit(unit),
             Self::Square(size) => base / size.m(),
-            Self::Degree => Angle::from_radians(base).degrees(),
+        }
+    }
+
+    /// The unit in which values of its kind are computed: pixels, meters or radians.
+    pub const fn base(self) -> Self {
+        match self {
+            Self::Pixel => Self::Pixel,
+            Self::Length(_) | Self::Square(_) => Self::Length(LengthUnit::Meter),
+            Self::Angle(_) => Self::Angle(AngleUnit::Radian),
         }
     }
 
@@ -90,11 +125,25 @@ impl Unit {
             _ => None,
         }
     }
+
+    /// Whether it is a length, squares of a board included.
+    pub const fn is_length(self) -> bool {
+        matches!(self, Self::Length(_) | Self::Square(_))
+    }
 }
+
+/// The size of a square is a positive number.
+impl Eq for Unit {}
 
 impl From<LengthUnit> for Unit {
     fn from(unit: LengthUnit) -> Self {
         Self::Length(unit)
+    }
+}
+
+impl From<AngleUnit> for Unit {
+    fn from(unit: AngleUnit) -> Self {
+        Self::Angle(unit)
     }
 }
 
@@ -105,5 +154,19 @@ impl Display for Unit {
             Self::Square(size) => write!(f, "squares of {} mm", number::plain(size.in_unit(LengthUnit::Millimeter))),
             _ => f.write_str(self.symbol()),
         }
+    }
+}
+
+/// Stored by its symbol.
+impl Serialize for Unit {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for Unit {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let symbol = String::deserialize(deserializer)?;
+        Self::named(&symbol, true).ok_or_else(|| serde::de::Error::custom("no such unit"))
     }
 }

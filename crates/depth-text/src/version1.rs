@@ -48,6 +48,7 @@ impl From<StoredInputs> for Inputs {
             entries,
             with_uncertainty: stored.with_uncertainty,
             unknown: stored.unknown,
+            ..Self::default()
         }
     }
 }

@@ -6,15 +6,16 @@
 
 use crate::entry::{Entries, Entry};
 use crate::field::Key;
-use crate::fields::{self, DISPARITY, DOFFS, FOCAL_LENGTH, FRAME_HEIGHT, FRAME_WIDTH, LENS, STORED_VALUE};
+use crate::fields::{self, BASELINE, DISPARITY, DOFFS, FOCAL_LENGTH, FRAME_HEIGHT, FRAME_WIDTH, LENS, STORED_VALUE};
 use crate::note::{Fix, Issue, Note};
-use crate::number::plain;
+use crate::number::{plain, significant};
 use crate::reading::{self, Reading};
 use depth_core::angle::Angle;
 use depth_core::camera;
 use depth_core::disparity::{self, Encoding, SubpixelBits};
 use depth_core::measured::Measured;
-use depth_core::quantity::{Length, Pixels};
+use depth_core::quantity::{Length, LengthUnit, Pixels};
+use depth_core::stereo;
 use std::f64::consts::PI;
 
 /// One way to a number.
@@ -33,7 +34,10 @@ pub struct Way {
     compute: Compute,
 }
 
-/// The result in px from the values of as many fields, in the order of [`Way::asks`] and in their base units.
+/// A number that was typed into a way and goes into the form with its result.
+type Also = (Key, Entry);
+
+/// The result in the base unit of the target from the values of as many fields, in the order of [`Way::asks`] and in their base units.
 #[derive(Clone, Copy, Debug)]
 enum Compute {
     One(fn(f64) -> Result<f64, Issue>),
@@ -44,7 +48,7 @@ enum Compute {
 /// What came of a way.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WayResult {
-    /// The result in px; `None` while something is missing or wrong.
+    /// The result in the base unit of the target, px or meters; `None` while something is missing or wrong.
     pub value: Option<f64>,
     /// The horizontal field of view that a focal length means, where the width of the image is asked for.
     pub view: Option<Angle>,
@@ -55,8 +59,8 @@ pub struct WayResult {
 }
 
 impl Way {
-    /// Reads the fields it asks for, and computes where all are there.
-    pub fn solve(&self, entries: &Entries) -> WayResult {
+    /// Reads the fields it asks for, and computes where all are there. A taped distance counts from `zero` in front of the lens.
+    pub fn solve(&self, entries: &Entries, zero: Length) -> WayResult {
         let mut result = WayResult::default();
         for &key in self.asks {
             match reading::read(key, entries.entry(key)) {
@@ -65,7 +69,11 @@ impl Way {
                 Err(note) => result.notes.push(note),
             }
         }
-        let values: Vec<f64> = result.readings.iter().map(|reading| reading.value).collect();
+        let from_lens = |reading: &Reading| {
+            let is_taped = reading.key == fields::REFERENCE_DISTANCE;
+            if is_taped { reading.value + zero.m() } else { reading.value }
+        };
+        let values: Vec<f64> = result.readings.iter().map(from_lens).collect();
         let computed = match (self.compute, values.as_slice()) {
             (Compute::One(of), &[a]) => of(a),
             (Compute::Two(of), &[a, b]) => of(a, b),
@@ -81,6 +89,8 @@ impl Way {
                 let key = match issue {
                     Issue::MinDisparityNotWhole => fields::MIN_DISPARITY,
                     Issue::WrongSubpixelBits => fields::SUBPIXEL_BITS,
+                    Issue::NoBaseline if result.readings.first().is_some_and(|stations| stations.value > 0.0) => fields::BASELINE_ANGLE,
+                    Issue::NoBaseline => fields::STATIONS,
                     _ => self.asks.first().copied().unwrap_or(self.target),
                 };
                 result.notes.push(Note::error(key, issue));
@@ -99,7 +109,20 @@ impl Way {
 
     /// What [`target`](Self::target) becomes with the result `value`.
     pub fn entry(&self, value: f64) -> Entry {
-        Entry::new(plain(value), None)
+        let unit = self.target.is_length().then_some(LengthUnit::Meter);
+        Entry::new(plain(value), unit)
+    }
+
+    /// The result as it is offered: "fx = 937.5 px".
+    pub fn result_text(&self, value: f64) -> String {
+        let unit = self.target.kind.default_unit().map_or("", |unit| unit.base().symbol());
+        format!("{} = {} {unit}", self.target.symbol, significant(value, 6))
+    }
+
+    /// What goes into the form beside the result: the lens, where a focal length was computed from one.
+    pub fn also(&self, entries: &Entries) -> Option<Also> {
+        let has_lens = self.target == FOCAL_LENGTH && self.asks.contains(&LENS);
+        has_lens.then(|| (fields::FX_LENS, entries.entry(LENS).clone()))
     }
 
     /// The way among `ways` that is stored as `key`.
@@ -113,7 +136,7 @@ pub const FOCAL_LENGTHS: &[Way] = &[
     Way {
         key: "pixel-pitch",
         name: "Lens and pixel size",
-        remark: "fx = focal length / pixel pitch. Use the pitch of the image as you have it: twice as large after 2 × 2 binning.",
+        remark: "fx = focal length / pixel pitch. Use the pitch of the image as you have it: twice as large after 2 × 2 binning. The lens, focused on the object, is added to the distance.",
         asks: &[LENS, fields::PIXEL_PITCH],
         target: FOCAL_LENGTH,
         compute: Compute::Two(|lens, pitch| found(camera::focal_length_from_pixel_pitch(Length::from_m(lens), Length::from_m(pitch)))),
@@ -196,6 +219,19 @@ pub const FOCAL_LENGTHS: &[Way] = &[
         }),
     },
 ];
+
+/// The ways to a baseline.
+pub const BASELINES: &[Way] = &[Way {
+    key: "angle",
+    name: "Not square to the line of sight",
+    remark: "b = distance · sin(angle), the angle between the line from one camera to the other and the line of sight. 90° changes nothing.",
+    asks: &[fields::STATIONS, fields::BASELINE_ANGLE],
+    target: BASELINE,
+    compute: Compute::Two(|stations, angle| {
+        let effective = stereo::effective_baseline(Length::from_m(stations), Angle::from_radians(angle));
+        effective.map(Length::m).filter(|b| *b > 0.0).ok_or(Issue::NoBaseline)
+    }),
+}];
 
 /// The ways to a disparity and to doffs.
 pub const DISPARITIES: &[Way] = &[

@@ -61,7 +61,7 @@ fn pixels_where_a_length_belongs_and_the_reverse_are_refused() {
     let fx = note(&with(Field::FocalLength, "4 mm"), Field::FocalLength);
     assert!(fx.message().contains("one pixel in mm"), "{}", fx.message());
     let b = note(&with(Field::Baseline, "4 px"), Field::Baseline);
-    assert!(b.message().contains("mm, cm, m, in or ft"), "{}", b.message());
+    assert!(b.message().contains("mm, cm, m, km, in, ft, yd or mi"), "{}", b.message());
 }
 
 #[test]
@@ -128,7 +128,7 @@ fn what_is_solved_for_is_not_missing() {
     inputs.entry_mut(fields::DISTANCE).text = "1.4".into();
     assert_eq!(inputs.missing(), []);
     let found = inputs.assess().unknown.unwrap().outcome.unwrap();
-    assert!((found.value - 0.1).abs() < 1e-12, "{found:?}");
+    assert!((found.to_base().value - 0.1).abs() < 1e-12, "{found:?}");
 }
 
 fn typed(texts: &[(Key, &str)]) -> Inputs {
@@ -247,7 +247,7 @@ fn a_disparity_of_any_sign_gives_doffs() {
         inputs.unknown = Some((Method::Stereo, Field::Doffs));
         let assessment = inputs.assess();
         let found = assessment.unknown.unwrap().outcome.unwrap();
-        assert!((found.value - doffs).abs() < 1e-3, "{disparity}: {found:?}");
+        assert!((found.to_base().value - doffs).abs() < 1e-3, "{disparity}: {found:?}");
         assert_eq!(assessment.notes, []);
     }
 }

@@ -29,7 +29,7 @@ proptest! {
     /// Whatever is typed or stored: no panic, no NaN and no infinity in any text that is shown or copied.
     #[test]
     fn no_text_that_can_be_typed_shows_nan_or_infinity(
-        texts in proptest::array::uniform7(typed_text()), baseline_unit in any_unit(), result_unit in any_unit(), steps in -20..20i32,
+        texts in proptest::array::uniform10(typed_text()), baseline_unit in any_unit(), result_unit in any_unit(), steps in -20..20i32,
     ) {
         let mut inputs = Inputs::default();
         for (field, text) in Field::ALL.into_iter().zip(&texts) {
@@ -87,7 +87,7 @@ proptest! {
     #[test]
     fn what_is_written_with_four_digits_reads_back_to_four_digits(value in any_magnitude()) {
         let text = number::significant(value, 4);
-        prop_assert!(close(number::read(&text).unwrap().number, value, 6e-4), "{text}");
-        prop_assert_eq!(number::read(&number::exact(value)).unwrap().number, value);
+        prop_assert!(close(number::read(&text, number::Primes::FeetAndInches).unwrap().number, value, 6e-4), "{text}");
+        prop_assert_eq!(number::read(&number::exact(value), number::Primes::FeetAndInches).unwrap().number, value);
     }
 }

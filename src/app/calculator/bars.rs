@@ -8,7 +8,7 @@ use crate::core::problem::{Method, Solution};
 use crate::core::quantity::{Length, LengthUnit};
 use crate::core::uncertainty::Interval;
 use depth_text::names::Named as _;
-use depth_text::{number, report};
+use depth_text::style::Style;
 use egui::{Align2, RichText, Stroke, Ui};
 use egui_plot::{Bar, BarChart, GridMark, Line, PlotPoint, PlotPoints, PlotUi, Text};
 
@@ -63,10 +63,7 @@ impl Model {
         let bar = |method| {
             let distance = solution.outcome(method).distance()?.in_unit(unit);
             let uncertainty = solution.uncertainty(method);
-            let label = match uncertainty {
-                Some(uncertainty) => report::with_sigma(Length::new(distance, unit), uncertainty.sigma, unit).text(unit),
-                None => format!("{} {}", number::significant(distance, report::DIGITS), unit.symbol()),
-            };
+            let label = Style::WINDOW.distance(solution, method, unit);
             distance.is_normal().then_some(MethodBar {
                 method,
                 distance,

@@ -1,7 +1,7 @@
 //! The cards of the results: which there are, and their titles.
 
 use crate::core::problem::{Field, Method};
-use depth_text::field::Key;
+use depth_text::field::{Key, Section};
 use depth_text::names::Named as _;
 
 /// A card of the results. It is also the source of the card's egui id, so that neither layout nor language changes that.
@@ -25,6 +25,10 @@ pub enum Card {
     Tilt,
     /// The ground plane.
     Ground,
+    /// Two photographs and a step.
+    TwoShots,
+    /// Two points.
+    TwoPoints,
     /// Both distances as bars.
     Bars,
     /// Distance against disparity.
@@ -52,6 +56,8 @@ impl Card {
             Self::Range => "Depth or range",
             Self::Tilt => "Tilted target",
             Self::Ground => "Ground plane, a third method",
+            Self::TwoShots => Section::TwoShots.name(),
+            Self::TwoPoints => Section::TwoPoints.name(),
             Self::Bars => "Stereo against monocular",
             Self::Curve => "Distance against disparity",
             Self::Intermediate => "Intermediate values",

@@ -5,7 +5,7 @@ use crate::app::command::Command;
 use crate::app::sentences::{Description, Hint};
 use crate::app::theme;
 use crate::app::widgets::{picture, plot};
-use crate::core::problem::{Field, Problem, Solution};
+use crate::core::problem::{Field, Method, Problem, Solution};
 use crate::core::quantity::{Length, LengthUnit, Pixels};
 use depth_text::{number, report};
 use egui::accesskit::{Action, ActionData, Role};
@@ -87,15 +87,17 @@ impl Curve {
     pub fn ui(&mut self, ui: &mut Ui, solution: &Solution, unit: LengthUnit, commands: &mut Vec<Command>) {
         let problem = &solution.problem;
         let disparity = problem.effective_disparity().filter(|_| solution.stereo.distance().is_some());
-        let is_pair = problem.focal_length.is_some() && problem.baseline.is_some();
+        let is_pair = problem.focal_length_of(Method::Stereo).is_some() && problem.baseline.is_some();
         let held = self.held.filter(|_| is_pair);
         let Some(model) = held.or_else(|| Model::new(problem, disparity)) else {
             self.held = None;
-            picture::empty_ui(ui, Card::Curve.title(), &Hint::NoCurve);
+            let has_distance = solution.stereo.distance().is_some();
+            let hint = if has_distance { Hint::NoPixelsForCurve } else { Hint::NoCurve };
+            picture::empty_ui(ui, Card::Curve.title(), &hint);
             return;
         };
         let drawn = plot_ui(ui, model, unit);
-        let typed = problem.disparity.map(|disparity| disparity.value);
+        let typed = problem.disparity.and_then(|disparity| Some(disparity.px()?.value));
         let point = typed.zip(solution.stereo.distance());
         picture::describe(ui, &drawn.plot.response, Card::Curve.title(), &Description::Curve { point, unit });
         if let (Some((typed, distance)), Some(disparity)) = (point, disparity) {

@@ -7,7 +7,8 @@ use crate::app::copyable::Copyable;
 use crate::app::sentences::NoticeText;
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
-use crate::app::widgets::text;
+use crate::app::widgets::{choice, text};
+use crate::core::setup::{Object, Pair};
 use depth_text::choices::MATCHING_ERRORS;
 use depth_text::field::{Key, Section};
 use depth_text::fields;
@@ -38,11 +39,12 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
 fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
     for section in Section::FORM {
         part_ui(ui, Part::Section(section), |ui| {
-            text::card_heading_ui(ui, section.name());
+            heading_ui(ui, cx, section);
             let mut space = theme::FIRST_FIELD_SPACE;
             for key in section.keys() {
-                // Most rigs have no doffs, so the field is hidden until there is one.
-                if !cx.session.inputs.shows(key) {
+                // Most rigs have no doffs, so the field is hidden until there is one. fy belongs to a point in space, too.
+                let is_of_point = key == fields::FY && cx.settings.shows_geometry;
+                if !cx.session.inputs.shows(key) && !is_of_point {
                     continue;
                 }
                 ui.add_space(space);
@@ -52,6 +54,22 @@ fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
         });
         ui.add_space(2.0 * theme::STEP);
     }
+}
+
+/// The heading of a section, with what is chosen in it: how the cameras stand, what of the object is measured.
+fn heading_ui(ui: &mut Ui, cx: &mut AppContext<'_>, section: Section) {
+    ui.horizontal_wrapped(|ui| {
+        text::card_heading_ui(ui, section.name());
+        let inputs = &mut cx.session.inputs;
+        let changed = match section {
+            Section::Stereo => choice::ui(ui, "Cameras", &Pair::ALL, &mut inputs.pair, cx.layout),
+            Section::Monocular => choice::ui(ui, "Measured", &Object::ALL, &mut inputs.object, cx.layout),
+            _ => false,
+        };
+        if changed {
+            cx.commands.push(Command::Settle);
+        }
+    });
 }
 
 fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, key: Key, marked: bool) {
@@ -65,8 +83,11 @@ fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, key: Key, marked: bool) {
     }
     let missing = assessment.missing.iter().find(|note| marked && note.key == key);
     let value_note = assessment.note(key).or(missing);
+    let before = inputs.entry(key).clone();
+    let hint = inputs.hint(key);
     let field = Field {
         key,
+        hint,
         reading: assessment.reading(key),
         notes: value_note.into_iter().chain(assessment.sigma_note(key)).collect(),
         with_sigma: inputs.with_uncertainty,
@@ -75,10 +96,12 @@ fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, key: Key, marked: bool) {
         submits: true,
         entry: inputs.entry_mut(key),
     };
-    let sigma_before = field.entry.sigma.clone();
     field.ui(ui, cx.commands);
     // One that was typed behind the value is shown in its own field.
-    inputs.with_uncertainty |= inputs.sigma(key) != sigma_before;
+    inputs.with_uncertainty |= inputs.sigma(key) != before.sigma;
+    if inputs.entry(key).text != before.text {
+        inputs.edited(key);
+    }
     if key == fields::DISPARITY && inputs.with_uncertainty {
         typical_errors_ui(ui, &mut inputs.entry_mut(key).sigma, cx.commands);
     }
@@ -189,6 +212,15 @@ fn more_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
         };
         if text::link_button_ui(ui, &name, cx.layout).clicked() {
             cx.commands.push(geometry);
+        }
+        let two = Command::ShowTwo(!cx.settings.shows_two);
+        let name = if !cx.settings.shows_two && inputs.has_two() {
+            format!("{} (filled in)", two.text())
+        } else {
+            two.text().to_owned()
+        };
+        if text::link_button_ui(ui, &name, cx.layout).clicked() {
+            cx.commands.push(two);
         }
     });
 }

@@ -9,15 +9,26 @@ use crate::app::widgets::cards;
 use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::text;
 use depth_text::field::Section;
+use depth_text::geometry::missing_for;
 use depth_text::report;
+use depth_text::sentences::{Statement, capital, needs};
 use depth_text::style::Style;
 use egui::Ui;
 
-/// Draws the three cards.
+/// Draws range, tilt and ground plane.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    cards_ui(ui, cx, &[(Card::Range, range_ui), (Card::Tilt, tilt_ui), (Card::Ground, ground_ui)]);
+}
+
+/// Draws two photographs and two points.
+pub fn of_two_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    cards_ui(ui, cx, &[(Card::TwoShots, two_shots_ui), (Card::TwoPoints, two_points_ui)]);
+}
+
+fn cards_ui(ui: &mut Ui, cx: &mut AppContext<'_>, all: &[(Card, Contents)]) {
     let (columns, gap) = (cx.layout.columns(), cx.layout.gap());
-    let all: [(Card, Contents); 3] = [(Card::Range, range_ui), (Card::Tilt, tilt_ui), (Card::Ground, ground_ui)];
-    for row in all.map(|(card, _)| card).chunks(columns) {
+    let cards: Vec<Card> = all.iter().map(|(card, _)| *card).collect();
+    for row in cards.chunks(columns) {
         cards::row_ui(ui, row, gap, |ui, card, row| {
             cards::card_ui(ui, card, card.title(), |ui| {
                 for (_, contents_ui) in all.iter().filter(|(one, _)| *one == card) {
@@ -60,6 +71,30 @@ fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     text::caption_ui(ui, Hint::GroundPlane.to_string());
 }
 
+fn two_shots_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    fields_ui(ui, cx, Section::TwoShots);
+    if let Some(shots) = &cx.session.assessment().geometry.two_shots {
+        let rows = report::two_shots(Style::WINDOW, &shots.solution, cx.unit());
+        super::table::pairs_ui(ui, Section::TwoShots.name(), &rows);
+        if shots.is_one_pixel_each {
+            text::caption_ui(ui, capital(&Statement::OnePixelEach.to_string()));
+        }
+    }
+    text::caption_ui(ui, Hint::TwoShots.to_string());
+}
+
+fn two_points_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    fields_ui(ui, cx, Section::TwoPoints);
+    let missing = missing_for(Section::TwoPoints, &cx.session.inputs);
+    if let Some(points) = &cx.session.assessment().geometry.two_points {
+        let rows = report::two_points(Style::WINDOW, points, cx.unit());
+        super::table::pairs_ui(ui, Section::TwoPoints.name(), &rows);
+    } else if !missing.is_empty() {
+        text::caption_ui(ui, capital(&format!("{}.", needs(&missing))));
+    }
+    text::caption_ui(ui, Hint::TwoPoints.to_string());
+}
+
 fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, section: Section) {
     for key in section.keys() {
         let (inputs, assessment) = cx.session.parts();
@@ -69,6 +104,7 @@ fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, section: Section) {
             reading: assessment.reading(key),
             notes: assessment.notes.iter().filter(|note| note.key == key).collect(),
             with_sigma: true,
+            hint: key.hint,
             helper: None,
             id: field::id(key),
             submits: false,

@@ -23,7 +23,7 @@ use super::theme::Layout;
 use super::widgets::cards::{self, Row};
 use super::widgets::{field, scroll, text};
 use crate::core::problem::Method;
-use crate::core::quantity::LengthUnit;
+use crate::core::quantity::{Length, LengthUnit};
 use card::Card;
 use depth_text::assess::Assessment;
 use depth_text::field::Section;
@@ -95,7 +95,8 @@ impl Calculator {
             self.reveal = Reveal::No;
         }
         if let Some(helper) = self.helper {
-            self.solved = helpers::Solved::new(helper, cx.settings);
+            let zero = cx.session.assessment().solution.problem.zero;
+            self.solved = helpers::Solved::new(helper, cx.settings, zero.unwrap_or(Length::from_m(0.0)));
         }
         let time = simulations::Time {
             // After a rest egui says how long a frame will be, not how long the rest was.
@@ -116,6 +117,7 @@ impl Calculator {
         match first {
             Some(key) => {
                 settings.shows_geometry |= key.section.is_some_and(Section::is_geometry);
+                settings.shows_two |= key.section.is_some_and(Section::is_of_two);
                 ctx.memory_mut(|memory| memory.request_focus(field::id(key)));
             }
             None => self.reveal_results(ctx),
@@ -150,6 +152,9 @@ impl Calculator {
         uncertainty::ui(ui, cx, &self.simulations);
         if cx.settings.shows_geometry {
             geometry::ui(ui, cx);
+        }
+        if cx.settings.shows_two {
+            geometry::of_two_ui(ui, cx);
         }
         self.pictures_ui(ui, cx);
         ui.add_space(cx.layout.gap());

@@ -7,6 +7,7 @@ use crate::app::sentences::Hint;
 use crate::app::theme;
 use crate::app::widgets::unit_choice::length_unit_choice_ui;
 use crate::app::widgets::{cards, text};
+use crate::core::measured::Measured;
 use crate::core::problem::Method;
 use crate::core::quantity::LengthUnit;
 use depth_text::assess::{Assessment, Unknown};
@@ -123,13 +124,8 @@ fn combined_ui(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
     let verdict = agreement.and_then(|statement| statement.verdict());
     text::badge_ui(ui, verdict.unwrap_or(Card::Combined.title()), front, back);
     if let Some(combined) = solution.combined {
-        const NAME: &str = "Combined distance";
-        if combined.sigma.m() > 0.0 {
-            let words = report::with_sigma(combined.value, combined.sigma, unit);
-            number_ui(ui, &words.value, &format!("{} ± {}", unit.symbol(), words.sigma), NAME);
-        } else {
-            number_ui(ui, &report::length_number(Some(combined.value), unit), unit.symbol(), NAME);
-        }
+        let [value, unit] = report::measured_parts(combined, unit);
+        number_ui(ui, &value, &unit, "Combined distance");
         text::caption_ui(ui, capital(&Statement::Combined.to_string()));
     }
     if let Some(statement) = agreement.filter(|statement| !matches!(statement, Statement::Agree { .. })) {
@@ -206,17 +202,23 @@ fn result_ui(ui: &mut Ui, assessment: &Assessment, method: Method, unit: LengthU
     let name = format!("{} distance", method.name());
     match (distance, solution.uncertainty(method)) {
         (Some(distance), Some(uncertainty)) => {
-            let words = report::with_sigma(distance, uncertainty.sigma, unit);
-            number_ui(ui, &words.value, &format!("{} ± {}", unit.symbol(), words.sigma), &name);
+            let [value, with_sigma] = report::measured_parts(Measured::new(distance, uncertainty.sigma), unit);
+            number_ui(ui, &value, &with_sigma, &name);
             let cause = Statement::main_cause(uncertainty).map_or_else(String::new, |cause| format!(" · {cause}"));
             text::caption_ui(ui, format!("{}{cause}", report::interval(uncertainty, unit)));
         }
-        _ => number_ui(ui, &report::length_number(distance, unit), unit.symbol(), &name),
+        _ => {
+            let [value, unit] = report::length_parts(distance, unit);
+            number_ui(ui, &value, &unit, &name);
+        }
     }
     if method == Method::Stereo
         && let Some(range) = report::one_pixel_range(solution, unit)
     {
         text::caption_ui(ui, Hint::OnePixel { range }.to_string());
+    }
+    for remark in report::remarks(assessment, method) {
+        text::caption_ui(ui, capital(&remark.to_string()));
     }
     text::caption_ui(ui, report::formula(solution, method));
     if let Some(formula) = report::formula_with_numbers(assessment, method, unit) {
@@ -240,7 +242,11 @@ fn empty_ui(ui: &mut Ui, cx: &AppContext<'_>) {
         let words = match refusal(method) {
             Some(refusal) => format!("{}: {}", method.name(), refusal.message()),
             None if inputs.is_begun(method) && !missing.is_empty() => Hint::StillNeeds { method, missing }.to_string(),
-            None => Hint::MethodNeeds { method }.to_string(),
+            None => Hint::MethodNeeds {
+                method,
+                formula: report::formula(&assessment.solution, method),
+            }
+            .to_string(),
         };
         text::caption_ui(ui, words);
     }

@@ -43,7 +43,7 @@ pub fn ui(ui: &mut Ui, cx: &AppContext<'_>, simulations: &Simulations) {
 fn color_of(ui: &Ui, field: Field) -> Color32 {
     let palette = theme::palette(ui);
     match field {
-        Field::FocalLength => palette.muted,
+        Field::FocalLength | Field::Lens | Field::Fy | Field::Zero => palette.muted,
         Field::Baseline | Field::RealWidth => palette.orange,
         Field::Disparity | Field::ImageWidth => palette.blue,
         Field::Doffs | Field::Tilt => palette.amber,

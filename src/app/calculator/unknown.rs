@@ -61,6 +61,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
         reading: assessment.reading(key),
         notes: value_note.into_iter().chain(assessment.sigma_note(key)).collect(),
         with_sigma,
+        hint: key.hint,
         helper: None,
         id: field::id(key),
         submits: true,

@@ -6,6 +6,7 @@ use crate::core::problem::{Method, Origin, Solution, Uncertainty};
 use crate::core::quantity::{Length, LengthUnit, Pixels};
 use depth_text::names::Named as _;
 use depth_text::sentences::percent;
+use depth_text::style::Style;
 use depth_text::{number, report};
 use std::fmt::{self, Display, Formatter};
 
@@ -120,7 +121,7 @@ fn bar(solution: &Solution, method: Method, unit: LengthUnit) -> Option<String> 
     let words = match solution.uncertainty(method) {
         Some(uncertainty) => format!(
             "{}, from {}",
-            report::with_sigma(distance, uncertainty.sigma, unit).text(unit),
+            Style::WINDOW.distance(solution, method, unit),
             report::interval(uncertainty, unit)
         ),
         None => report::length(Some(distance), unit),

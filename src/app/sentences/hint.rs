@@ -5,7 +5,7 @@ use crate::core::problem::Method;
 use crate::core::q_matrix::StereoGeometry;
 use crate::core::quantity::{Length, LengthUnit};
 use depth_text::field::Key;
-use depth_text::names::{Named as _, formula};
+use depth_text::names::Named as _;
 use depth_text::number::{plain, significant};
 use depth_text::report;
 use depth_text::sentences::needs;
@@ -30,7 +30,7 @@ pub enum Hint {
     /// The question for the unit of the baseline in a Q matrix.
     QMatrixUnit { baseline: f64 },
     /// What a method needs before it gives a distance.
-    MethodNeeds { method: Method },
+    MethodNeeds { method: Method, formula: String },
     /// What is still missing of a method that was begun.
     StillNeeds { method: Method, missing: Vec<Key> },
     /// The field of view that a focal length means.
@@ -47,8 +47,16 @@ pub enum Hint {
     NoBars,
     /// The curve, while there is no pair of cameras.
     NoCurve,
+    /// The curve, where a disparity is not in pixels.
+    NoPixelsForCurve,
     /// The top view, while no distance is known.
     NoTopView,
+    /// The top view of cameras one above the other, or of a height.
+    FromTheSide,
+    /// What two photographs are good for.
+    TwoShots,
+    /// What two points are good for.
+    TwoPoints,
     /// Where the top view draws the object of two cameras.
     ObjectMidway,
     /// Where the top view draws the object of one camera.
@@ -82,14 +90,9 @@ impl Display for Hint {
                 plain(geometry.cy.px())
             ),
             Self::QMatrixUnit { baseline } => write!(f, "A Q matrix carries no unit. In which unit is the baseline {}?", plain(*baseline)),
-            Self::MethodNeeds { method } => {
-                let [first, second, third] = method.fields().map(|field| Key::from(field).symbol);
-                write!(
-                    f,
-                    "{}: {} needs {first}, {second} and {third}.",
-                    method.name(),
-                    formula(*method, false)
-                )
+            Self::MethodNeeds { method, formula } => {
+                let needed = method.fields().map(Key::from);
+                write!(f, "{}: {formula} {}.", method.name(), needs(&needed))
             }
             Self::StillNeeds { method, missing } => write!(f, "{}: {}.", method.name(), needs(missing)),
             Self::View { view } => write!(f, "A horizontal field of view of {}°.", significant(view.degrees(), 3)),
@@ -126,6 +129,10 @@ impl Display for Hint {
             Self::GroundPlane => f.write_str("Where the ray of a pixel meets a level floor, or the level plane that the target reaches up to: straight ahead (h − h_target) / tan(θ + atan((v − cy) / fy)). Needs neither a second camera nor a known size. cx, cy and fy are those of Depth or range; the camera has no roll."),
             Self::Sigma => f.write_str("One standard deviation, in the unit of the value, with a unit of its own, or in percent. Empty: none."),
             Self::NoCurve => f.write_str("How fast the distance grows as the disparity shrinks, once focal length and baseline are known."),
+            Self::NoPixelsForCurve => f.write_str("This curve counts the disparity in pixels."),
+            Self::FromTheSide => f.write_str("Seen from the side: up is to the left."),
+            Self::TwoShots => f.write_str("For an object whose size is not known: w_1 and w_2 are its widths in two photographs, the second a step s nearer. The first place is s · w_2 / (w_2 − w_1) away. An error of a pixel counts D / s times as much as with a known size, so step far."),
+            Self::TwoPoints => f.write_str("The straight line between two points that both cameras see, each with its pixel in the left image and its disparity. fx, b, doffs and fy are those of the form, cx and cy those of Depth or range."),
             Self::NoTopView => f.write_str("The cameras, their lines of sight and the object from above, as soon as a distance is known."),
             Self::ObjectMidway => f.write_str("The object is drawn midway between the cameras; where it stands sideways needs more than a disparity."),
         }
@@ -170,10 +177,11 @@ mod tests {
     use super::Hint;
     use crate::app::sentences::snapshot::{assert_shown, every};
     use crate::core::angle::Angle;
-    use crate::core::problem::Method;
+    use crate::core::problem::{Method, Problem};
     use crate::core::q_matrix::StereoGeometry;
     use crate::core::quantity::{Length, LengthUnit, Pixels};
     use depth_text::fields;
+    use depth_text::names::formula;
 
     #[test]
     fn every_hint_is_as_it_was_written() {
@@ -193,7 +201,10 @@ mod tests {
             Hint::QMatrixForms => Hint::QMatrixForms,
             Hint::QMatrixContents { .. } => Hint::QMatrixContents { geometry: geometry() },
             Hint::QMatrixUnit { .. } => Hint::QMatrixUnit { baseline: 100.0 },
-            Hint::MethodNeeds { .. } => Hint::MethodNeeds { method: Method::Stereo },
+            Hint::MethodNeeds { .. } => Hint::MethodNeeds {
+                method: Method::Stereo,
+                formula: formula(&Problem::default(), Method::Stereo),
+            },
             Hint::StillNeeds { .. } => Hint::StillNeeds { method: Method::Stereo, missing: vec![fields::BASELINE, fields::DISPARITY] },
             Hint::View { .. } => Hint::View { view: Angle::from_degrees(54.317) },
             Hint::SquaresOfBoard => Hint::SquaresOfBoard,
@@ -202,7 +213,11 @@ mod tests {
             Hint::OnePixel { .. } => Hint::OnePixel { range: "1.373 … 1.429 m".into() },
             Hint::NoBars => Hint::NoBars,
             Hint::NoCurve => Hint::NoCurve,
+            Hint::NoPixelsForCurve => Hint::NoPixelsForCurve,
             Hint::NoTopView => Hint::NoTopView,
+            Hint::FromTheSide => Hint::FromTheSide,
+            Hint::TwoShots => Hint::TwoShots,
+            Hint::TwoPoints => Hint::TwoPoints,
             Hint::ObjectMidway => Hint::ObjectMidway,
             Hint::ObjectAhead => Hint::ObjectAhead,
             Hint::DepthOrRange => Hint::DepthOrRange,
@@ -212,7 +227,10 @@ mod tests {
             Hint::Simulating { .. } => Hint::Simulating { total: 100_000, percent: 40 },
             Hint::Simulated { .. } => Hint::Simulated { draws: 100_000 },
         ];
-        hints.push(Hint::MethodNeeds { method: Method::Monocular });
+        hints.push(Hint::MethodNeeds {
+            method: Method::Monocular,
+            formula: formula(&Problem::default(), Method::Monocular),
+        });
         hints.push(Hint::QMatrixCopy {
             missing: vec![fields::CX, fields::CY],
         });

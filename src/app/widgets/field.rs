@@ -10,6 +10,7 @@ use depth_text::entry::Entry;
 use depth_text::field::Key as FieldKey;
 use depth_text::note::{Note, Part};
 use depth_text::reading::Reading;
+use depth_text::report;
 use depth_text::unit::Unit;
 use egui::accesskit::Role;
 use egui::text::{CCursor, CCursorRange};
@@ -19,6 +20,8 @@ use egui::{Align, Button, Id, Key, Modifiers, Response, RichText, Sense, Stroke,
 pub struct Field<'a> {
     /// Which field.
     pub key: FieldKey,
+    /// The sentence under it.
+    pub hint: &'static str,
     /// What is typed. Edits go straight into it.
     pub entry: &'a mut Entry,
     /// What it means, where it could be read.
@@ -88,9 +91,10 @@ impl Field<'_> {
                 }
                 unit.is_some_and(|unit| unit.has_focus() || unit.lost_focus())
             });
+            let read_as = self.reading.and_then(report::read_as);
             NoteLine {
                 id: self.id,
-                hint: self.key.hint,
+                hint: read_as.as_deref().unwrap_or(self.hint),
                 notes: self.notes(),
                 field: texts.response.rect.with_min_y(label.rect.top()),
                 is_in_use: was_in_use || texts.inner || self.has_focus(ui),
@@ -195,10 +199,10 @@ impl Field<'_> {
         };
         let before = unit;
         let name = format!("Unit of {}", self.key.name);
-        let choice = typed_unit_choice_ui(ui, (self.id, "unit"), &name, &mut unit, UNIT_WIDTH);
+        let choice = typed_unit_choice_ui(ui, (self.id, "unit"), &name, self.key.kind, &mut unit);
         if unit != before {
             match unit {
-                TypedUnit::Length(unit) => self.entry.choose_unit(self.key, unit),
+                TypedUnit::Unit(unit) => self.entry.choose_unit(self.key, unit),
                 TypedUnit::Squares => {
                     self.entry.choose_squares(self.key);
                     // Their size is still to be typed.
@@ -212,14 +216,15 @@ impl Field<'_> {
 
     /// The unit that holds; `None` where there is no choice.
     fn typed_unit(&self) -> Option<TypedUnit> {
-        let default = self.key.kind.length_unit()?;
+        if self.key.kind.choices().is_empty() {
+            return None;
+        }
         let read = self.reading.and_then(|reading| reading.unit);
         let is_in_squares = matches!(read, Some(Unit::Square(_))) || self.notes.iter().any(|note| note.issue.is_size_of_squares());
         if is_in_squares {
             return Some(TypedUnit::Squares);
         }
-        let length = read.and_then(Unit::length).or(self.entry.unit);
-        Some(TypedUnit::Length(length.unwrap_or(default)))
+        read.or(self.entry.chosen_unit(self.key)).map(TypedUnit::Unit)
     }
 
     /// The unit of a field without a choice, where it has one.

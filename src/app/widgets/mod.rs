@@ -2,6 +2,7 @@
 
 pub mod bottom_bar;
 pub mod cards;
+pub mod choice;
 pub mod field;
 mod note_line;
 pub mod picture;

@@ -1,42 +1,33 @@
 //! A choice among the units of length.
 
+use crate::app::theme;
 use crate::core::quantity::LengthUnit;
+use depth_text::field::Kind;
 use depth_text::names::Named as _;
+use depth_text::unit::Unit;
 use egui::{ComboBox, Response, Ui};
 
-/// What can be chosen beside a length that is typed.
+/// What can be chosen beside a number that is typed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TypedUnit {
-    /// A unit of length.
-    Length(LengthUnit),
+    /// A unit.
+    Unit(Unit),
     /// Squares of a calibration board, whose size is part of the text.
     Squares,
 }
 
 impl TypedUnit {
-    const ALL: [Self; 6] = {
-        let [a, b, c, d, e] = LengthUnit::ALL;
-        [
-            Self::Length(a),
-            Self::Length(b),
-            Self::Length(c),
-            Self::Length(d),
-            Self::Length(e),
-            Self::Squares,
-        ]
-    };
-
     /// What stands in the closed list.
     const fn symbol(self) -> &'static str {
         match self {
-            Self::Length(unit) => unit.symbol(),
+            Self::Unit(unit) => unit.symbol(),
             Self::Squares => "sq",
         }
     }
 
     fn name(self) -> String {
         match self {
-            Self::Length(unit) => format!("{}  ({})", unit.symbol(), unit.name()),
+            Self::Unit(unit) => format!("{}  ({})", unit.symbol(), unit.name()),
             Self::Squares => "sq  (squares of a calibration board)".to_owned(),
         }
     }
@@ -44,25 +35,27 @@ impl TypedUnit {
 
 /// A choice among the units of results, named `name`.
 pub fn length_unit_choice_ui(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::Debug, name: &str, unit: &mut LengthUnit, width: f32) {
-    let mut chosen = TypedUnit::Length(*unit);
-    let lengths = TypedUnit::ALL.into_iter().filter(|choice| *choice != TypedUnit::Squares);
+    let mut chosen = TypedUnit::Unit(Unit::Length(*unit));
+    let lengths = Kind::Length(*unit).choices().iter().map(|&choice| TypedUnit::Unit(choice));
     let combo = ComboBox::from_id_salt(id).width(width);
     choice_ui(ui, combo, name, &mut chosen, lengths);
-    if let TypedUnit::Length(length) = chosen {
+    if let TypedUnit::Unit(Unit::Length(length)) = chosen {
         *unit = length;
     }
 }
 
-/// A choice among the units of a typed length, named `name`.
+/// A choice among the units that are usual for a number of this `kind`, named `name`.
 pub fn typed_unit_choice_ui(
     ui: &mut Ui,
     id: impl std::hash::Hash + std::fmt::Debug,
     name: &str,
+    kind: Kind,
     unit: &mut TypedUnit,
-    width: f32,
 ) -> Response {
-    let combo = ComboBox::from_id_salt(id).width(width);
-    choice_ui(ui, combo, name, unit, TypedUnit::ALL.into_iter())
+    let squares = matches!(kind, Kind::Length(_)).then_some(TypedUnit::Squares);
+    let units = kind.choices().iter().map(|&choice| TypedUnit::Unit(choice));
+    let combo = ComboBox::from_id_salt(id).width(theme::UNIT_WIDTH);
+    choice_ui(ui, combo, name, unit, units.chain(squares))
 }
 
 fn choice_ui(ui: &mut Ui, combo: ComboBox, name: &str, unit: &mut TypedUnit, choices: impl Iterator<Item = TypedUnit>) -> Response {

@@ -1,6 +1,6 @@
 //! Two distances to the same object made one.
 
-use super::comparison::{Comparison, Verdict};
+use super::comparison::{Comparison, Verdict, of_optical_depth, unshared};
 use crate::arithmetic::{log_ratio, root_sum_of_squares};
 use crate::measured::Measured;
 use crate::model::Model;
@@ -16,7 +16,8 @@ use crate::quantity::Length;
 /// `None` where one of them has no uncertainty of its own: nothing is there to weigh it with. And where they
 /// [contradict](super::Comparison::contradict) each other: nothing between them would be right.
 ///
-/// Both models must have the same focal length; r_f is taken from `first`.
+/// Both models must have the same focal length, as far as they need one, and count from the same place; r_f is taken from `first`,
+/// and is 0 where one of them is from an angle: then each has all of its σ for itself.
 ///
 /// ```
 /// use depth_core::agreement::combine;
@@ -38,8 +39,8 @@ use crate::quantity::Length;
 /// puzzle, 1987). The factor is the Birge ratio √(χ²/(N − 1)) for N = 2, as the Particle Data Group scales the errors of
 /// measurements that do not agree well (Review of Particle Physics, Introduction, 5.2.2).
 pub fn combine(first: &Model, second: &Model) -> Option<Measured<Length>> {
-    let (z1, z2) = (first.depth().m(), second.depth().m());
-    let (r1, r2) = (first.own_relative_sigma(), second.own_relative_sigma());
+    let [z1, z2] = [first, second].map(|model| model.optical_depth().m());
+    let [r1, r2] = unshared([first, second]);
     let r = root_sum_of_squares(&[r1, r2]);
     let agreement = Comparison::of(first, second).agreement?;
     if agreement.verdict == Verdict::Disagree {
@@ -55,6 +56,16 @@ pub fn combine(first: &Model, second: &Model) -> Option<Measured<Length>> {
         z2 * ((r2 / r) * (r2 / r) * log_ratio).exp()
     };
     let value = value.clamp(z1.min(z2), z1.max(z2));
-    let relative = root_sum_of_squares(&[widened * r1 * (r2 / r), first.focal_length().relative()]);
-    Some(Measured::from_base(value, value * relative))
+    let relative = root_sum_of_squares(&[widened * r1 * (r2 / r), shared_relative_sigma(first, second)]);
+    let counted = value - first.zero().m();
+    (counted > 0.0).then(|| Measured::from_base(counted, value * relative))
+}
+
+/// The relative σ that both distances have in common: that of the focal length, where both need it.
+pub(crate) fn shared_relative_sigma(first: &Model, second: &Model) -> f64 {
+    if first.has_focal_length() && second.has_focal_length() {
+        of_optical_depth(first, first.focal_length().relative())
+    } else {
+        0.0
+    }
 }

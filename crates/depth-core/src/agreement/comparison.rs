@@ -57,9 +57,10 @@ impl Verdict {
 }
 
 impl Comparison {
-    /// Compares two distances that were computed from the same focal length.
+    /// Compares two distances that were computed from the same focal length, as far as they need one. Wherever they are counted from,
+    /// it is their distances from the lens that are compared.
     ///
-    /// z = |ln(Z₁/Z₂)|/√(r₁² + r₂²) with the relative σ of each without the focal length, which both share.
+    /// z = |ln(Z₁/Z₂)|/√(r₁² + r₂²) with the relative σ of each without the focal length, where both share it.
     ///
     /// ```
     /// use depth_core::agreement::{Comparison, Verdict};
@@ -79,10 +80,7 @@ impl Comparison {
     /// Source: the ζ score of ISO 13528 (difference over its standard uncertainty, with its limits 2 and 3), here of the
     /// logarithms, because both distances are products.
     pub fn of(first: &Model, second: &Model) -> Self {
-        Self::relative(
-            [first.depth().m(), second.depth().m()],
-            [first.own_relative_sigma(), second.own_relative_sigma()],
-        )
+        Self::relative([first, second].map(|model| model.optical_depth().m()), unshared([first, second]))
     }
 
     /// Compares two distances that share nothing, each with its whole σ.
@@ -147,5 +145,29 @@ impl Comparison {
             Some(agreement) => agreement.verdict == Verdict::Agree,
             None => !self.contradict(),
         }
+    }
+}
+
+/// The relative σ of the distance of each model from the lens that it does not share with the other.
+pub(super) fn unshared(models: [&Model; 2]) -> [f64; 2] {
+    let share_focal_length = models.iter().all(|model| model.has_focal_length());
+    models.map(|model| {
+        let relative = if share_focal_length {
+            model.own_relative_sigma()
+        } else {
+            model.relative_sigma()
+        };
+        of_optical_depth(model, relative)
+    })
+}
+
+/// The same σ as a part of the distance from the lens.
+pub(super) fn of_optical_depth(model: &Model, relative: f64) -> f64 {
+    let (projected, optical) = (model.projected_depth().m(), model.optical_depth().m());
+    // Nearly always the same.
+    if projected == optical {
+        relative
+    } else {
+        relative * (projected / optical)
     }
 }

@@ -8,5 +8,6 @@ mod comparison;
 mod suspects;
 
 pub use combination::combine;
+pub(crate) use combination::shared_relative_sigma;
 pub use comparison::{Agreement, Comparison, LARGEST_RATIO, Verdict};
 pub use suspects::{Suspect, suspects};

@@ -61,7 +61,7 @@ const BLUNDER_TOLERANCE: f64 = 0.08;
 /// # Ok::<(), depth_core::judge::Unsolvable>(())
 /// ```
 pub fn suspects(first: &Model, second: &Model) -> Vec<Suspect> {
-    let log_ratio = log_ratio(first.depth().m(), second.depth().m());
+    let log_ratio = log_ratio(first.optical_depth().m(), second.optical_depth().m());
     let comparison = Comparison::of(first, second);
     if comparison.is_fine() || log_ratio.abs() < 1e-12 {
         return Vec::new();
@@ -75,8 +75,8 @@ pub fn suspects(first: &Model, second: &Model) -> Vec<Suspect> {
     blunders.sort_by(|(a, _), (b, _)| a.total_cmp(b));
 
     let inputs = [first, second].into_iter().flat_map(|model| {
-        let ((length, l), (pixels, p)) = (model.length(), model.pixels());
-        [(length, l.sigma.m()), (pixels, p.sigma.px())]
+        let ((length, l), (extent, x)) = (model.length(), model.extent());
+        [(length, l.sigma.m()), (extent, x.sigma)]
     });
     let exact = inputs.filter(|&(_, sigma)| sigma == 0.0);
     let largest = [first, second]
@@ -98,16 +98,18 @@ pub fn suspects(first: &Model, second: &Model) -> Vec<Suspect> {
 
 /// The typical blunders in a model, each with the logarithm of the factor by which it makes the distance too large.
 fn blunders(model: &Model) -> Vec<(f64, Suspect)> {
-    let (pixels, _) = model.pixels();
+    let (extent, _) = model.extent();
     let (length, _) = model.length();
     let mut list = Vec::new();
-    if pixels == Field::Disparity {
+    if model.is_in_pixels() && extent == Field::Disparity {
         // OpenCV's fixed point; DepthAI's three, four and five sub-pixel bits; KITTI's 16-bit images.
         list.extend([16.0_f64, 8.0, 32.0, 256.0].map(|scale| (-scale.ln(), Suspect::RawDisparity { scale })));
     }
-    list.extend([2.0_f64, 0.5].map(|times| (-times.ln(), Suspect::Resized { source: pixels, times })));
+    if model.is_in_pixels() {
+        list.extend([2.0_f64, 0.5].map(|times| (-times.ln(), Suspect::Resized { source: extent, times })));
+    }
     for taken in LengthUnit::ALL {
-        for meant in LengthUnit::ALL.into_iter().filter(|&meant| meant != taken) {
+        for meant in LengthUnit::COMMON.into_iter().filter(|&meant| meant != taken) {
             let factor = Length::new(1.0, taken).m() / Length::new(1.0, meant).m();
             let slip = Suspect::Unit {
                 source: length,

@@ -3,7 +3,7 @@
 use super::intrinsics::{offset_from_axis, range_of};
 use crate::arithmetic::root_sum_of_squares;
 use crate::field::Field;
-use crate::judge::{self, Term, Unsolvable};
+use crate::judge::{self, Refusal, Term, Unsolvable};
 use crate::measured::Measured;
 use crate::quantity::{Length, Pixels};
 
@@ -36,6 +36,9 @@ pub struct PointView {
     pub row: Pixels,
     /// How far away it is.
     pub along: Along,
+    /// What of its depth is no distance from the center of projection: the focal length of a lens that was added, less how far in
+    /// front of it distances are counted from. Nearly always 0. Taken to be exact.
+    pub shift: Length,
 }
 
 /// Where a point is, with first-order σ.
@@ -65,7 +68,7 @@ impl PointView {
     /// use depth_core::quantity::{Length, Pixels};
     ///
     /// let px = Pixels::new;
-    /// let at = |along| PointView { fx: Measured::from_base(500.0, 0.0), fy: px(1000.0), cx: px(100.0), cy: px(100.0), column: px(600.0), row: px(1100.0), along };
+    /// let at = |along| PointView { fx: Measured::from_base(500.0, 0.0), fy: px(1000.0), cx: px(100.0), cy: px(100.0), column: px(600.0), row: px(1100.0), along, shift: Length::from_m(0.0) };
     /// let point = at(Along::Axis(Measured::from_base(2.0, 0.1))).solve().unwrap();
     /// // A ray of (2, 2, 2) m, all of it known to 5 %.
     /// assert_eq!((point.x.value.m(), point.y.value.m(), point.z.value.m()), (2.0, 2.0, 2.0));
@@ -96,43 +99,60 @@ impl PointView {
             Along::Axis(depth) | Along::GivenDepth(depth) => depth.value,
             Along::Ray(range) => self.depth_at(range.value)?,
         };
-        let x = offset_from_axis(self.column, self.cx, depth, self.fx.value).ok_or(Unsolvable::too_extreme(Term::Column))?;
-        let y = offset_from_axis(self.row, self.cy, depth, self.fy).ok_or(Unsolvable::too_extreme(Term::Row))?;
+        let from_center = judge::value(Term::Distance, judge::positive(depth.m() - self.shift.m())).map(Length::from_m)?;
+        let x = offset_from_axis(self.column, self.cx, from_center, self.fx.value).ok_or(Unsolvable::too_extreme(Term::Column))?;
+        let y = offset_from_axis(self.row, self.cy, from_center, self.fy).ok_or(Unsolvable::too_extreme(Term::Row))?;
         let range = range_of(x, y, depth).ok_or(Unsolvable::too_extreme(Term::Distance))?;
-        let (r, rf) = (given.relative(), self.fx.relative());
-        let slope = depth.m() / range.m();
-        let off_axis = 1.0 - slope * slope;
-        let with = |value: Length, of_focal_length: f64| {
-            let relative = root_sum_of_squares(&[r, rf * of_focal_length]);
-            Measured::new(value, Length::from_m(value.m().abs() * relative))
+        // All as multiples of the range, which neither overflow nor underflow.
+        let [center, z] = [from_center, depth].map(|length| length.m() / range.m());
+        let aside = root_sum_of_squares(&[x.m() / range.m(), y.m() / range.m()]);
+        let (sigma, rf) = (given.sigma.m(), self.fx.relative());
+        let with = |value: Length, own: f64, of_focal_length: f64| {
+            let terms = [own * sigma, of_focal_length * rf * range.m()];
+            Measured::new(value, Length::from_m(root_sum_of_squares(&terms)))
         };
+        let [right, down] = [x, y].map(|offset| (offset.m() / range.m()).abs());
+        // dR/dP, the derivative of the range along the ray.
+        let along_ray = (aside * aside + z * center) / center;
         Ok(match self.along {
             Along::Axis(_) => PointSolution {
-                x: with(x, 0.0),
-                y: with(y, 0.0),
-                z: with(depth, 1.0),
-                range: with(range, slope * slope),
+                x: with(x, right / center, 0.0),
+                y: with(y, down / center, 0.0),
+                z: with(depth, 1.0, center),
+                range: with(range, along_ray, z * center),
             },
             Along::GivenDepth(_) => PointSolution {
-                x: with(x, 1.0),
-                y: with(y, 1.0),
-                z: with(depth, 0.0),
-                range: with(range, off_axis),
+                x: with(x, right / center, right),
+                y: with(y, down / center, down),
+                z: with(depth, 1.0, 0.0),
+                range: with(range, along_ray, aside * aside),
             },
             Along::Ray(range) => PointSolution {
-                x: with(x, slope * slope),
-                y: with(y, slope * slope),
-                z: with(depth, off_axis),
+                x: with(x, right / (center * along_ray), right * z / along_ray),
+                y: with(y, down / (center * along_ray), down * z / along_ray),
+                z: with(depth, 1.0 / along_ray, aside * aside / along_ray),
                 range,
             },
         })
     }
 
-    /// Z = R/√(1 + ((u − cx)/fx)² + ((v − cy)/fy)²)
+    /// Z from R² = ρ²·P² + (P + t)², with P the depth from the center of projection, ρ the slope of the ray against the axis and t the
+    /// [shift](Self::shift); without a shift Z = R/√(1 + ρ²).
     fn depth_at(&self, range: Length) -> Result<Length, Unsolvable> {
         let right = (self.column.px() - self.cx.px()) / self.fx.value.px();
         let down = (self.row.px() - self.cy.px()) / self.fy.px();
-        let depth = range.m() / root_sum_of_squares(&[1.0, right, down]);
+        let slope = root_sum_of_squares(&[1.0, right, down]);
+        let shift = self.shift.m();
+        // P·(1 + ρ²) + t is the root of what is left of the square.
+        let rest = root_sum_of_squares(&[right, down]) * shift / slope;
+        let foot = shift / (slope * slope);
+        let depth = if shift == 0.0 {
+            range.m() / slope
+        } else if rest.abs() < range.m() {
+            ((range.m() - rest) * (range.m() + rest)).sqrt() / slope - foot + shift
+        } else {
+            return judge::value(Term::Distance, Err(Refusal::BehindZero)).map(Length::from_m);
+        };
         judge::value(Term::Distance, judge::positive(depth)).map(Length::from_m)
     }
 }

@@ -2,7 +2,6 @@
 
 use super::distribution::{Distribution, count};
 use super::random::Normal;
-use crate::arithmetic::times_over;
 use crate::model::Model;
 
 /// A random experiment that can be carried out in pieces: the same model and seed give the same draws however they are cut
@@ -115,15 +114,7 @@ impl MonteCarlo {
 
     /// One draw in meters; `None` for infinitely far.
     fn distance(&mut self) -> Option<f64> {
-        let focal_length = self.normal.draw(self.model.focal_length());
-        let length = self.normal.draw(self.model.length().1);
-        let divisor = self.normal.draw(self.model.divisor());
-        if divisor <= 0.0 {
-            None
-        } else if focal_length <= 0.0 || length <= 0.0 {
-            Some(0.0)
-        } else {
-            Some(times_over(focal_length, length, divisor)).filter(|z| z.is_finite())
-        }
+        let Self { model, normal, .. } = self;
+        model.draw(|term| normal.draw(term))
     }
 }

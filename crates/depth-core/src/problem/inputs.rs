@@ -3,30 +3,45 @@
 use crate::angle::Angle;
 use crate::camera;
 use crate::field::Field;
+use crate::in_image::InImage;
 use crate::judge::{self, Refusal};
 use crate::measured::Measured;
+use crate::method::Method;
 use crate::quantity::{Length, Pixels, Quantity};
-use std::f64::consts::FRAC_PI_2;
+use crate::setup::{Object, Pair};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// What is known: the inputs with their σ (0 where none was given).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Problem {
-    /// fx: focal length in pixels of the image that d and w_img are measured in.
-    pub focal_length: Option<Measured<Pixels>>,
+    /// fx: focal length, in pixels of the image that d and w_img are measured in, or as they a length. Not needed for angles.
+    pub focal_length: Option<InImage>,
+    /// The focal length of the lens that fx was computed from, where it was: then the lens is taken to be focused on the object, and
+    /// its own focal length is added to the distance. Taken to be exact. Has no part in what is no number of pixels.
+    pub lens: Option<Length>,
+    /// fy, in the unit of fx: the focal length of heights and of vertical pairs; `None` is fx. Its ratio to fx is taken to be exact.
+    pub fy: Option<InImage>,
+    /// How the cameras stand.
+    pub pair: Pair,
     /// b: distance between the optical centers of the two cameras.
     pub baseline: Option<Measured<Length>>,
-    /// d: horizontal shift of the object between the rectified images.
-    pub disparity: Option<Measured<Pixels>>,
+    /// d: shift of the object between the rectified images, along the baseline.
+    pub disparity: Option<InImage>,
     /// δ = cx_right − cx_left; `None` is 0.
     pub doffs: Option<Measured<Pixels>>,
     /// σ of the offset of 0 where [`doffs`](Self::doffs) is `None`: how well the principal points are known to coincide.
     pub coincidence_sigma: Pixels,
+    /// What of the object is measured: "width" stands for it in the names here.
+    pub object: Object,
     /// w_img: width of the object in the image.
-    pub image_width: Option<Measured<Pixels>>,
+    pub image_width: Option<InImage>,
     /// w_real: width of the object itself.
     pub real_width: Option<Measured<Length>>,
     /// φ: by how much the object is turned away from facing the camera; `None` is 0. Taken to be exact.
     pub tilt: Option<Angle>,
+    /// How far in front of the lens distances are counted from; `None` is 0. It is taken from every distance, and added to every one
+    /// that is given. Taken to be exact.
+    pub zero: Option<Length>,
 }
 
 impl Default for Problem {
@@ -34,13 +49,18 @@ impl Default for Problem {
     fn default() -> Self {
         Self {
             focal_length: None,
+            lens: None,
+            fy: None,
+            pair: Pair::Horizontal,
             baseline: None,
             disparity: None,
             doffs: None,
             coincidence_sigma: Pixels::ZERO,
+            object: Object::Width,
             image_width: None,
             real_width: None,
             tilt: None,
+            zero: None,
         }
     }
 }
@@ -62,6 +82,7 @@ impl Problem {
     }
 
     /// Sets `field` to `value` in its base unit (px, meters or radians). Its σ stays; without a value there is none, but that of doffs.
+    /// What is measured in the image stays in its unit, and is in pixels where it had none: see [`set_in_image`](Self::set_in_image).
     ///
     /// ```
     /// # use depth_core::problem::{Field, Problem};
@@ -74,17 +95,53 @@ impl Problem {
     /// ```
     pub fn set(&mut self, field: Field, value: Option<f64>) {
         let sigma = self.sigma(field);
+        if let Some(in_image) = self.in_image_mut(field) {
+            let unit = in_image.unwrap_or(InImage::from_px(0.0));
+            *in_image = value.map(|value| unit.with_base(Measured::new(value, sigma)));
+            return;
+        }
         match field {
-            Field::FocalLength => self.focal_length = value.map(|value| Measured::from_base(value, sigma)),
+            Field::FocalLength | Field::Fy | Field::Disparity | Field::ImageWidth => {}
+            Field::Lens => self.lens = value.map(Length::from_m),
+            Field::Zero => self.zero = value.map(Length::from_m),
             Field::Baseline => self.baseline = value.map(|value| Measured::from_base(value, sigma)),
-            Field::Disparity => self.disparity = value.map(|value| Measured::from_base(value, sigma)),
             Field::Doffs => {
                 self.doffs = value.map(|value| Measured::from_base(value, sigma));
                 self.coincidence_sigma = if value.is_none() { Pixels::new(sigma) } else { Pixels::ZERO };
             }
-            Field::ImageWidth => self.image_width = value.map(|value| Measured::from_base(value, sigma)),
             Field::RealWidth => self.real_width = value.map(|value| Measured::from_base(value, sigma)),
             Field::Tilt => self.tilt = value.map(Angle::from_radians),
+        }
+    }
+
+    /// Sets `field`, which is measured in the image, with its unit and σ. Other fields stay as they are.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// use depth_core::angle::{Angle, AngleUnit};
+    /// use depth_core::in_image::InImage;
+    /// use depth_core::measured::Measured;
+    ///
+    /// // 10 in at 0.75 mrad, without a focal length.
+    /// let mut target = Problem::default();
+    /// target.set(Field::RealWidth, Some(0.254));
+    /// let angle = Angle::new(0.75, AngleUnit::Milliradian);
+    /// target.set_in_image(Field::ImageWidth, InImage::Angle(Measured::exact(angle)));
+    /// assert!((target.solve().monocular.distance().unwrap().m() - 338.667).abs() < 1e-3);
+    /// ```
+    pub fn set_in_image(&mut self, field: Field, extent: InImage) {
+        if let Some(in_image) = self.in_image_mut(field) {
+            *in_image = Some(extent);
+        }
+    }
+
+    const fn in_image_mut(&mut self, field: Field) -> Option<&mut Option<InImage>> {
+        match field {
+            Field::FocalLength => Some(&mut self.focal_length),
+            Field::Fy => Some(&mut self.fy),
+            Field::Disparity => Some(&mut self.disparity),
+            Field::ImageWidth => Some(&mut self.image_width),
+            _ => None,
         }
     }
 
@@ -107,7 +164,8 @@ impl Problem {
         }
     }
 
-    /// Sets σ of `field` in its base unit (px, meters or radians), 0 for none. Without a value only doffs can have one; a tilt has none.
+    /// Sets σ of `field` in its base unit (px, meters or radians), 0 for none. Without a value only doffs can have one; lens, tilt and zero
+    /// have none, and fy has that of fx.
     ///
     /// ```
     /// # use depth_core::problem::{Field, Problem};
@@ -116,7 +174,7 @@ impl Problem {
     /// mug.set(Field::Baseline, Some(0.1));
     /// mug.set(Field::Disparity, Some(50.0));
     /// mug.set_sigma(Field::Disparity, 0.5);
-    /// assert_eq!(mug.disparity.unwrap().sigma.px(), 0.5);
+    /// assert_eq!(mug.disparity.unwrap().to_base().sigma, 0.5);
     /// // A real width that is not known has no σ either.
     /// mug.set_sigma(Field::RealWidth, 0.01);
     /// assert_eq!(mug.sigma(Field::RealWidth), 0.0);
@@ -127,15 +185,16 @@ impl Problem {
                 input.sigma = Q::from_base(sigma);
             }
         }
+        if let Some(in_image) = self.in_image_mut(field) {
+            *in_image = in_image.map(|extent| extent.with_base(Measured::new(extent.to_base().value, sigma)));
+            return;
+        }
         match field {
-            Field::FocalLength => give(&mut self.focal_length, sigma),
             Field::Baseline => give(&mut self.baseline, sigma),
-            Field::Disparity => give(&mut self.disparity, sigma),
             Field::Doffs if self.doffs.is_none() => self.coincidence_sigma = Pixels::new(sigma),
             Field::Doffs => give(&mut self.doffs, sigma),
-            Field::ImageWidth => give(&mut self.image_width, sigma),
             Field::RealWidth => give(&mut self.real_width, sigma),
-            Field::Tilt => {}
+            _ => {}
         }
     }
 
@@ -171,13 +230,16 @@ impl Problem {
     /// ```
     pub fn measured(&self, field: Field) -> Option<Measured<f64>> {
         match field {
-            Field::FocalLength => self.focal_length.map(Measured::to_base),
+            Field::FocalLength => self.focal_length.map(InImage::to_base),
+            Field::Lens => self.lens.map(|lens| Measured::exact(lens).to_base()),
+            Field::Fy => self.fy.map(InImage::to_base),
             Field::Baseline => self.baseline.map(Measured::to_base),
-            Field::Disparity => self.disparity.map(Measured::to_base),
+            Field::Disparity => self.disparity.map(InImage::to_base),
             Field::Doffs => self.doffs.map(Measured::to_base),
-            Field::ImageWidth => self.image_width.map(Measured::to_base),
+            Field::ImageWidth => self.image_width.map(InImage::to_base),
             Field::RealWidth => self.real_width.map(Measured::to_base),
             Field::Tilt => self.tilt.map(|tilt| Measured::exact(tilt).to_base()),
+            Field::Zero => self.zero.map(|zero| Measured::exact(zero).to_base()),
         }
     }
 
@@ -197,7 +259,8 @@ impl Problem {
         self.doffs.unwrap_or(Measured::new(Pixels::ZERO, self.coincidence_sigma))
     }
 
-    /// d + δ: the disparity as it enters the formula. Its sign decides whether the object is in front of the cameras.
+    /// d + δ: the disparity as it enters the formula, where it is in pixels. Its sign decides whether the object is in front of the
+    /// cameras.
     ///
     /// ```
     /// # use depth_core::problem::{Field, Problem};
@@ -209,7 +272,43 @@ impl Problem {
     /// assert_eq!(mug.effective_disparity().unwrap().px(), 90.0);
     /// ```
     pub fn effective_disparity(&self) -> Option<Pixels> {
-        Some(Pixels::new(self.disparity?.value.px() + self.offset().value.px()))
+        Some(Pixels::new(self.disparity?.px()?.value.px() + self.offset().value.px()))
+    }
+
+    /// The focal length that the extents of `method` belong to: fy for a height and for a vertical pair, with the relative σ of fx, as
+    /// they scale together; else fx.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Method, Problem};
+    /// use depth_core::setup::Object;
+    ///
+    /// let mut person = Problem { object: Object::Height, ..Problem::default() };
+    /// person.set(Field::FocalLength, Some(600.0));
+    /// person.set(Field::Fy, Some(853.0));
+    /// assert_eq!(person.focal_length_of(Method::Monocular).unwrap().to_base().value, 853.0);
+    /// assert_eq!(person.focal_length_of(Method::Stereo).unwrap().to_base().value, 600.0);
+    /// ```
+    pub fn focal_length_of(&self, method: Method) -> Option<InImage> {
+        if !self.needs_fy(method) {
+            return self.focal_length;
+        }
+        let Some(fy) = self.fy else { return self.focal_length };
+        let relative = self.focal_length.map_or(0.0, InImage::relative);
+        let value = fy.to_base().value;
+        Some(fy.with_base(Measured::new(value, value * relative)))
+    }
+
+    /// Whether the extents of `method` are counted in rows.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Method, Problem};
+    /// assert!(!Problem::default().needs_fy(Method::Stereo));
+    /// ```
+    pub fn needs_fy(&self, method: Method) -> bool {
+        match method {
+            Method::Stereo => self.pair == Pair::Vertical,
+            Method::Monocular => self.object == Object::Height,
+        }
     }
 
     /// w_real·cos φ: the width that the object shows to the camera.
@@ -223,11 +322,16 @@ impl Problem {
     /// ```
     pub fn foreshortened_width(&self) -> Option<Measured<Length>> {
         let width = self.real_width?;
-        let tilt = self.tilt.unwrap_or(Angle::ZERO);
+        let tilt = self.tilt_that_counts();
         Some(Measured::new(
             camera::foreshortened(width.value, tilt)?,
             camera::foreshortened(width.sigma, tilt)?,
         ))
+    }
+
+    /// φ; a ball looks the same from every side.
+    fn tilt_that_counts(&self) -> Angle {
+        self.tilt.filter(|_| self.object != Object::Ball).unwrap_or(Angle::ZERO)
     }
 
     /// The width of which `width` is what shows to the camera, w/cos φ: the inverse of
@@ -242,13 +346,14 @@ impl Problem {
     /// ```
     #[must_use]
     pub fn turned_away(&self, width: Measured<Length>) -> Measured<Length> {
-        let of_one_meter = camera::foreshortened(Length::from_m(1.0), self.tilt.unwrap_or(Angle::ZERO));
+        let of_one_meter = camera::foreshortened(Length::from_m(1.0), self.tilt_that_counts());
         let cosine = of_one_meter.map_or(1.0, Length::m);
         Measured::from_base(width.value.m() / cosine, width.sigma.m() / cosine)
     }
 
-    /// Checks that the value of `field`, if it has one, can be used: positive, finite and normal. A disparity is judged
-    /// together with doffs, which itself may be any finite number; a tilt is below 90° in either direction.
+    /// Checks that the value of `field`, if it has one, can be used: positive, finite and normal. A disparity in pixels is judged
+    /// together with doffs, which itself may be any finite number, as may zero; a tilt is below 90° in either direction, what an
+    /// object subtends below 180°.
     ///
     /// ```
     /// # use depth_core::problem::{Field, Problem};
@@ -264,22 +369,33 @@ impl Problem {
     /// # Errors
     /// What is wrong with it.
     pub fn check(&self, field: Field) -> Result<(), Refusal> {
-        let value = match field {
-            Field::Disparity => self.effective_disparity().map(Pixels::px),
+        let value = match (field, self.effective_disparity()) {
+            (Field::Disparity, Some(disparity)) => Some(disparity.px()),
             _ => self.get(field),
         };
-        match (field, value) {
-            (_, None) => Ok(()),
-            (Field::Doffs, Some(value)) => judge::finite(value).map(|_| ()),
-            (Field::Tilt, Some(value)) => judge::finite(value).and_then(|tilt| {
-                let shows_a_width = tilt.abs() < FRAC_PI_2;
-                shows_a_width.then_some(()).ok_or(Refusal::TurnedAway)
-            }),
-            (_, Some(value)) => judge::positive(value).map(|_| ()),
-        }
+        let Some(value) = value else { return Ok(()) };
+        match field {
+            Field::Doffs | Field::Zero => judge::finite(value)?,
+            Field::Tilt => judge::finite(value).and_then(|tilt| below(tilt.abs(), FRAC_PI_2, Refusal::TurnedAway))?,
+            Field::Disparity | Field::ImageWidth if self.is_angle(field) => {
+                judge::positive(value).and_then(|angle| below(angle, PI, Refusal::TooWide))?
+            }
+            _ => judge::positive(value)?,
+        };
+        Ok(())
     }
 
-    /// Whether the value of `field` lies in its [usual range](Field::usual_range); true where there is none.
+    fn is_angle(&self, field: Field) -> bool {
+        let extent = if field == Field::Disparity {
+            self.disparity
+        } else {
+            self.image_width
+        };
+        matches!(extent, Some(InImage::Angle(_)))
+    }
+
+    /// Whether the value of `field` lies in its [usual range](Field::usual_range); true where there is none, and for what is
+    /// measured in the image in another unit than pixels.
     ///
     /// ```
     /// # use depth_core::problem::{Field, Problem};
@@ -293,10 +409,18 @@ impl Problem {
     /// assert!(!mug.is_usual(Field::Baseline));
     /// ```
     pub fn is_usual(&self, field: Field) -> bool {
+        let in_px = |in_image: Option<InImage>| in_image.and_then(|extent| Some(extent.px()?.value.px()));
         let value = match field {
             Field::Disparity => self.effective_disparity().map(Pixels::px),
+            Field::FocalLength => in_px(self.focal_length),
+            Field::Fy => in_px(self.fy),
+            Field::ImageWidth => in_px(self.image_width),
             _ => self.get(field),
         };
         value.is_none_or(|value| field.is_usual(value))
     }
+}
+
+fn below(value: f64, limit: f64, refusal: Refusal) -> Result<f64, Refusal> {
+    if value < limit { Ok(value) } else { Err(refusal) }
 }

@@ -2,6 +2,7 @@
 //! reports go through this one step, so that they cannot disagree.
 
 mod inputs;
+mod inverse;
 mod solution;
 mod solve;
 
@@ -11,4 +12,5 @@ pub use crate::judge::Refusal;
 pub use crate::method::Method;
 pub use crate::uncertainty::Uncertainty;
 pub use inputs::Problem;
+pub use inverse::Solved;
 pub use solution::{BestDistance, Origin, Outcome, Solution};

@@ -6,6 +6,7 @@ use crate::field::Field;
 use crate::judge::Refusal;
 use crate::measured::Measured;
 use crate::method::Method;
+use crate::model::Model;
 use crate::quantity::{Length, Pixels};
 use crate::uncertainty::{Interval, Uncertainty};
 
@@ -44,6 +45,9 @@ impl Outcome {
     }
 }
 
+/// The part of a distance from which on the focal length of the lens in it is worth a word: 1 %.
+pub const NOTABLE_LENS: f64 = 0.01;
+
 /// Where a distance is from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
@@ -60,6 +64,10 @@ pub struct BestDistance {
     pub origin: Origin,
     /// The distance with its own σ: [`own_relative_sigma`](crate::uncertainty::Model::own_relative_sigma).
     pub distance: Measured<Length>,
+    /// Whether it grows with the focal length, so that its σ has a part that is not in `distance`. That of an angle does not.
+    pub has_focal_length: bool,
+    /// What of it is no distance from the center of projection: the focal length of the lens less where zero is.
+    pub shift: Length,
 }
 
 /// Everything computed from a [`Problem`]; made once when the inputs change.
@@ -174,21 +182,30 @@ impl Solution {
     /// assert_eq!((best.origin, best.distance.value.m()), (Origin::Method(Method::Stereo), 1.4));
     /// ```
     pub fn best(&self) -> Option<BestDistance> {
-        if let Some(combined) = self.combined {
-            let relative = combined.relative();
-            let shared = self.problem.focal_length.map_or(0.0, Measured::relative);
-            let own = ((relative - shared).max(0.0) * (relative + shared)).sqrt();
+        let [stereo, monocular] = Method::ALL.map(|method| self.problem.model(method)?.ok());
+        let shift = |model: &Model| Length::from_m(model.depth().m() - model.projected_depth().m());
+        if let (Some(combined), Some(stereo), Some(monocular)) = (self.combined, &stereo, &monocular) {
+            let shift = shift(stereo);
+            let shared = agreement::shared_relative_sigma(stereo, monocular) * (combined.value.m() + stereo.zero().m());
+            let own = ((combined.sigma.m() - shared).max(0.0) * (combined.sigma.m() + shared)).sqrt();
             return Some(BestDistance {
                 origin: Origin::Combined,
-                distance: Measured::from_base(combined.value.m(), combined.value.m() * own),
+                distance: Measured::new(combined.value, Length::from_m(own)),
+                has_focal_length: stereo.has_focal_length() && monocular.has_focal_length(),
+                shift,
             });
         }
         Method::ALL.into_iter().find_map(|method| {
-            let distance = self.outcome(method).distance()?.m();
-            let own = self.uncertainty(method).map_or(0.0, |known| known.model.own_relative_sigma());
+            let distance = self.outcome(method).distance()?;
+            let exact = self.problem.without_sigmas().model(method)?.ok()?;
+            let own = self
+                .uncertainty(method)
+                .map_or(0.0, |known| known.model.projected_depth().m() * known.model.own_relative_sigma());
             Some(BestDistance {
                 origin: Origin::Method(method),
-                distance: Measured::from_base(distance, distance * own),
+                distance: Measured::new(distance, Length::from_m(own)),
+                has_focal_length: exact.has_focal_length(),
+                shift: shift(&exact),
             })
         })
     }
@@ -237,11 +254,33 @@ impl Solution {
         Some((self.problem.stereo_distance_if(1.0)?, self.problem.stereo_distance_if(-1.0)))
     }
 
+    /// The focal length of the lens that the distance of `method` has in it, where that is worth a word: more than
+    /// [a hundredth](NOTABLE_LENS) of it.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Method, Problem};
+    /// let mut pair = Problem::default();
+    /// pair.set(Field::FocalLength, Some(4000.0));
+    /// pair.set(Field::Baseline, Some(0.02));
+    /// pair.set(Field::Disparity, Some(400.0));
+    /// pair.set(Field::Lens, Some(0.016));
+    /// // 16 mm of 216 mm.
+    /// assert_eq!(pair.solve().added_lens(Method::Stereo).unwrap().m(), 0.016);
+    /// pair.set(Field::Disparity, Some(40.0));
+    /// assert_eq!(pair.solve().added_lens(Method::Stereo), None);
+    /// ```
+    pub fn added_lens(&self, method: Method) -> Option<Length> {
+        let distance = self.outcome(method).distance()?;
+        let lens = self.problem.lens?;
+        let model = self.problem.without_sigmas().model(method)?.ok()?;
+        (model.is_in_pixels() && lens.m() > NOTABLE_LENS * distance.m()).then_some(lens)
+    }
+
     /// How far the entered image width is off what the stereo distance and the real width predict, as a fraction of the
     /// prediction: w_img / (w_real·fx/D) − 1. `None` unless both methods have a distance; the same figure holds for the
     /// real width.
     ///
-    /// With both distances known it equals D_stereo/D_monocular − 1.
+    /// With both distances known it equals D_stereo/D_monocular − 1, both from the center of projection.
     ///
     /// ```
     /// # use depth_core::problem::{Field, Problem};
@@ -255,7 +294,12 @@ impl Solution {
     /// assert!((mug.solve().width_discrepancy().unwrap() - 0.1).abs() < 1e-12);
     /// ```
     pub fn width_discrepancy(&self) -> Option<f64> {
-        let ratio = self.stereo.distance()?.m() / self.monocular.distance()?.m();
+        let from_lens = |method| {
+            self.outcome(method).distance()?;
+            let model = self.problem.without_sigmas().model(method)?.ok()?;
+            Some(model.projected_depth().m())
+        };
+        let ratio = from_lens(Method::Stereo)? / from_lens(Method::Monocular)?;
         Some(ratio - 1.0).filter(|r| r.is_finite())
     }
 }

@@ -4,11 +4,13 @@ use super::inputs::Problem;
 use super::solution::{Outcome, Solution};
 use crate::agreement::{self, Comparison};
 use crate::field::Field;
-use crate::judge::{Refusal, Unsolvable};
+use crate::in_image::InImage;
+use crate::judge::{Refusal, Term, Unsolvable};
 use crate::measured::Measured;
 use crate::method::Method;
-use crate::model::Model;
-use crate::quantity::{Length, Pixels};
+use crate::model::{Model, Projected};
+use crate::quantity::{Length, Pixels, Quantity as _};
+use crate::setup::Object;
 use crate::uncertainty::Uncertainty;
 use crate::{monocular, stereo};
 
@@ -29,22 +31,11 @@ impl Problem {
     pub fn solve(&self) -> Solution {
         let stereo = self.solve_method(Method::Stereo);
         let monocular = self.solve_method(Method::Monocular);
+        let models = Method::ALL.map(|method| self.exact_model(method));
         // With the monocular distance the two widths would only repeat the input.
-        let reference = stereo.distance().or(monocular.distance());
-        let usable = |field| self.check(field).is_ok();
-        let real_width = self.real_width.filter(|_| usable(Field::RealWidth) && usable(Field::Tilt));
-        let real_width = real_width.and_then(|_| self.foreshortened_width());
-        let image_width = self.image_width.filter(|_| usable(Field::ImageWidth) && usable(Field::Tilt));
-        let estimated_width_px = match (self.focal_length, real_width, reference) {
-            (Some(f), Some(w), Some(z)) => finite_px(monocular::width_in_image(f.value, w.value, z)),
-            _ => None,
-        };
-        let estimated_width = match (self.focal_length, image_width, reference) {
-            (Some(f), Some(w), Some(z)) => {
-                finite_length(self.turned_away(Measured::exact(monocular::real_width(f.value, w.value, z))).value)
-            }
-            _ => None,
-        };
+        let reference = models.into_iter().flatten().next();
+        let estimated_width_px = reference.and_then(|reference| self.estimated_width_px(&reference));
+        let estimated_width = reference.and_then(|reference| self.estimated_width(&reference));
         let uncertainty = |method, outcome: Outcome| outcome.distance().and_then(|_| self.uncertainty(method));
         let (stereo_uncertainty, unusable) = split(uncertainty(Method::Stereo, stereo));
         let (monocular_uncertainty, also_unusable) = split(uncertainty(Method::Monocular, monocular));
@@ -64,8 +55,37 @@ impl Problem {
         }
     }
 
+    /// w_img that w_real and the distance of `reference` predict, where the image is in pixels.
+    fn estimated_width_px(&self, reference: &Model) -> Option<Pixels> {
+        let usable = |field| self.check(field).is_ok();
+        let focal_length = self.focal_length_of(Method::Monocular)?.px()?.value;
+        let width = self
+            .foreshortened_width()
+            .filter(|_| usable(Field::RealWidth) && usable(Field::Tilt))?
+            .value;
+        let mut depth = reference.projected_depth();
+        if self.object == Object::Ball {
+            depth = monocular::depth_of_disk(depth, width)?;
+        }
+        finite_px(monocular::width_in_image(focal_length, width, depth))
+    }
+
+    /// w_real that w_img and the distance of `reference` predict.
+    fn estimated_width(&self, reference: &Model) -> Option<Length> {
+        let usable = |field| self.check(field).is_ok();
+        let extent = self.image_width.filter(|_| usable(Field::ImageWidth) && usable(Field::Tilt))?;
+        let projected = Projected::new(self.focal_length_of(Method::Monocular).unwrap_or(extent), extent, Field::ImageWidth).ok()?;
+        let [focal_length, extent] = [projected.focal_length, projected.extent].map(|number| Pixels::new(number.value));
+        let depth = reference.projected_depth();
+        let width = match self.object {
+            Object::Ball => monocular::diameter(focal_length, extent, depth),
+            Object::Width | Object::Height => monocular::real_width(focal_length, extent, depth),
+        };
+        finite_length(self.turned_away(Measured::exact(width)).value)
+    }
+
     /// The stereo distance had the disparity been `shift` px larger (nearer) or smaller (farther); `None` where the object
-    /// would be infinitely far away or the inputs are incomplete.
+    /// would be infinitely far away or the inputs are incomplete or not in pixels.
     ///
     /// ```
     /// # use depth_core::problem::{Field, Problem};
@@ -101,7 +121,30 @@ impl Problem {
         if disparity.px() <= 0.0 {
             return None;
         }
-        finite_length(stereo::depth(self.focal_length?.value, self.baseline?.value, disparity))
+        let focal_length = self.focal_length_of(Method::Stereo)?.px()?.value;
+        let depth = finite_length(stereo::depth(focal_length, self.baseline?.value, disparity))?;
+        let counted = depth.m() + self.counted_from(true).m();
+        finite_length(Length::from_m(counted)).filter(|counted| counted.m() > 0.0)
+    }
+
+    /// What is added to a distance from the center of projection where the image is in pixels: the focal length of the lens less where
+    /// zero is.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut camera = Problem::default();
+    /// camera.set(Field::Zero, Some(0.25));
+    /// assert_eq!(camera.shift().m(), -0.25);
+    /// ```
+    pub fn shift(&self) -> Length {
+        self.counted_from(true)
+    }
+
+    /// What is added to a distance from the center of projection, f of the lens − zero; without that of the lens where the image is
+    /// not `in_pixels`.
+    pub(crate) fn counted_from(&self, in_pixels: bool) -> Length {
+        let lens = self.lens.filter(|_| in_pixels).map_or(0.0, Length::m);
+        Length::from_m(lens - self.zero.map_or(0.0, Length::m))
     }
 
     /// The monocular distance if the target faced the camera, w_real·fx/w_img; `None` where it does, or where that has no distance.
@@ -120,18 +163,59 @@ impl Problem {
     ///
     /// Source: [`monocular::depth`].
     pub fn distance_if_facing(&self) -> Option<Length> {
-        let tilt = self.tilt?;
+        let tilt = self.tilt.filter(|_| self.object != Object::Ball)?;
         let facing = Self { tilt: None, ..*self };
         facing.solve_method(Method::Monocular).distance().filter(|_| tilt.radians() != 0.0)
     }
 
-    /// The inputs of `method` with their σ, as one model.
-    pub(super) fn model(&self, method: Method) -> Option<Result<Model, Unsolvable>> {
-        let focal_length = self.focal_length?;
-        Some(match method {
-            Method::Stereo => Model::stereo(focal_length, self.baseline?, self.disparity?, self.offset()),
-            Method::Monocular => Model::monocular(focal_length, self.foreshortened_width()?, self.image_width?),
+    /// The inputs of `method` with their σ, as one model; `None` where one is missing.
+    pub(crate) fn model(&self, method: Method) -> Option<Result<Model, Unsolvable>> {
+        let projected = self.projected(method)?;
+        let length = match method {
+            Method::Stereo => self.baseline?,
+            Method::Monocular => self.foreshortened_width()?,
+        };
+        Some(projected.and_then(|projected| self.model_of(method, projected, length).checked()))
+    }
+
+    /// The extent of `method` and its focal length; `None` where one is missing.
+    pub(super) fn projected(&self, method: Method) -> Option<Result<Projected, Unsolvable>> {
+        let (extent, source) = match method {
+            Method::Stereo => (self.disparity?, Field::Disparity),
+            Method::Monocular => (self.image_width?, Field::ImageWidth),
+        };
+        let focal_length = match (self.focal_length_of(method), extent) {
+            (Some(focal_length), _) => focal_length,
+            (None, InImage::Angle(_)) => extent,
+            (None, _) => return None,
+        };
+        Some(match (method, extent) {
+            // The offset of the principal points is in pixels.
+            (Method::Stereo, InImage::OnSensor(_) | InImage::Angle(_)) if self.offset() != Measured::exact(Pixels::new(0.0)) => {
+                Err(Unsolvable::Value {
+                    term: Term::Input(Field::Doffs),
+                    refusal: Refusal::OtherUnit,
+                })
+            }
+            _ => Projected::new(focal_length, extent, source),
         })
+    }
+
+    pub(super) fn model_of(&self, method: Method, projected: Projected, length: Measured<Length>) -> Model {
+        let model = Model::unchecked(method, projected, length);
+        let model = match method {
+            Method::Stereo => model.with_doffs(self.offset().to_base()),
+            Method::Monocular if self.object == Object::Ball => model.of_ball(),
+            Method::Monocular => model,
+        };
+        let lens = self.lens.filter(|_| projected.is_in_pixels);
+        model.counted(lens.unwrap_or(Length::ZERO), self.zero.unwrap_or(Length::ZERO))
+    }
+
+    /// The model of `method` with its inputs taken to be exact, where it has a distance.
+    fn exact_model(&self, method: Method) -> Option<Model> {
+        self.solve_method(method).distance()?;
+        self.without_sigmas().model(method)?.ok()
     }
 
     /// How sure one can be of the distance of `method`; `None` where no input has a σ. The error names the input whose σ is
@@ -156,29 +240,24 @@ impl Problem {
         let [first, others @ ..] = method.fields();
         others
             .into_iter()
-            .chain([method.optional_field()])
+            .chain([method.own_optional_field()])
             .fold(first, |worst, field| if relative(field) > relative(worst) { field } else { worst })
     }
 
     fn solve_method(&self, method: Method) -> Outcome {
-        for field in std::iter::once(method.optional_field()).chain(method.fields()) {
+        for field in method.optional_fields().into_iter().chain(method.fields()) {
             if let Err(refusal) = self.check(field) {
                 return Outcome::Refused { field, refusal };
             }
         }
-        let distance = match method {
-            Method::Stereo => match (self.focal_length, self.baseline, self.effective_disparity()) {
-                (Some(f), Some(b), Some(d)) => stereo::depth(f.value, b.value, d),
-                _ => return Outcome::Incomplete,
-            },
-            Method::Monocular => match (self.focal_length, self.foreshortened_width(), self.image_width) {
-                (Some(f), Some(w), Some(p)) => monocular::depth(f.value, w.value, p.value),
-                _ => return Outcome::Incomplete,
-            },
-        };
-        match finite_length(distance) {
-            Some(distance) => Outcome::Distance(distance),
-            None => Outcome::Refused {
+        match self.without_sigmas().model(method) {
+            None => Outcome::Incomplete,
+            Some(Ok(model)) => Outcome::Distance(model.depth()),
+            Some(Err(Unsolvable::Value {
+                term: Term::Input(field),
+                refusal,
+            })) => Outcome::Refused { field, refusal },
+            Some(Err(_)) => Outcome::Refused {
                 field: self.least_usual(method),
                 refusal: Refusal::TooExtreme,
             },

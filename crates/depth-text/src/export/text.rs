@@ -2,7 +2,7 @@
 
 use super::exporter::{Exporter, Results};
 use crate::assess::Assessment;
-use crate::field::Key;
+use crate::field::{Key, Section};
 use crate::fields::DISTANCE;
 use crate::form::Inputs;
 use crate::geometry::Geometry;
@@ -17,6 +17,7 @@ use crate::sentences::{Statement, capital, needs, quoted};
 use crate::style::Style;
 use depth_core::problem::Method;
 use depth_core::quantity::LengthUnit;
+use depth_core::setup::{Object, Pair};
 use std::convert::Infallible;
 
 const STYLE: Style = Style::WINDOW;
@@ -36,6 +37,7 @@ impl Exporter for Text {
         if assessment.unknown.is_some() {
             lines.push(format!("  {}: {}", DISTANCE.name, input(inputs, assessment, DISTANCE)));
         }
+        lines.extend(choices(inputs).map(|choice| format!("  {choice}")));
         lines.extend([String::new(), "Results".to_owned()]);
         let methods = Method::ALL
             .into_iter()
@@ -53,6 +55,13 @@ impl Exporter for Text {
         lines.push(String::new());
         Ok(lines.join("\n"))
     }
+}
+
+/// What was chosen otherwise than usual: "Cameras: one above the other".
+fn choices(inputs: &Inputs) -> impl Iterator<Item = String> {
+    let pair = (inputs.pair != Pair::default()).then(|| format!("Cameras: {}", inputs.pair.name().to_lowercase()));
+    let object = (inputs.object != Object::default()).then(|| format!("Measured: {}", inputs.object.name().to_lowercase()));
+    pair.into_iter().chain(object)
 }
 
 /// One input as typed, with its σ.
@@ -108,7 +117,12 @@ fn of_method(inputs: &Inputs, assessment: &Assessment, method: Method, unit: Len
         return is_asked_for.then(|| format!("{name}: {why}")).into_iter().collect();
     };
     let value = STYLE.distance(solution, method, unit);
-    let line = format!("{name}: {value} (unrounded {} {})", exact(distance.in_unit(unit)), unit.symbol());
+    let unrounded = STYLE.unit_of(distance, unit);
+    let line = format!(
+        "{name}: {value} (unrounded {} {})",
+        exact(distance.in_unit(unrounded)),
+        unrounded.symbol()
+    );
     let numbers = formula_with_numbers(assessment, method, unit).map(|numbers| format!("  {numbers}"));
     let one_pixel = one_pixel_range(solution, unit).filter(|_| method == Method::Stereo);
     let one_pixel = one_pixel.map(|range| format!("  with {ONE_PIXEL}: {range}"));
@@ -116,8 +130,11 @@ fn of_method(inputs: &Inputs, assessment: &Assessment, method: Method, unit: Len
     let certainty = uncertainty.into_iter().flat_map(|uncertainty| certainty(STYLE, uncertainty, unit));
     let facing = assessment.geometry.facing.filter(|_| method == Method::Monocular);
     let facing = facing.map(|facing| format!("  {WITHOUT_TILT}: {}", length(Some(facing), unit)));
+    let remarks = report::remarks(assessment, method)
+        .into_iter()
+        .map(|remark| format!("  {}", capital(&remark.to_string())));
     let indented = certainty.map(|line| format!("  {line}"));
-    let below = numbers.into_iter().chain(one_pixel).chain(facing).chain(indented);
+    let below = numbers.into_iter().chain(remarks).chain(one_pixel).chain(facing).chain(indented);
     std::iter::once(line).chain(below).collect()
 }
 
@@ -132,6 +149,15 @@ fn geometry(geometry: &Geometry, unit: LengthUnit) -> Vec<String> {
     if let Some(ground) = &geometry.ground {
         lines.push("Ground plane".to_owned());
         lines.extend(report::ground(STYLE, ground, unit).into_iter().map(indented));
+    }
+    if let Some(shots) = &geometry.two_shots {
+        lines.push(Section::TwoShots.name().to_owned());
+        lines.extend(report::two_shots(STYLE, &shots.solution, unit).into_iter().map(indented));
+        lines.extend(shots.is_one_pixel_each.then(|| format!("  {}", Statement::OnePixelEach)));
+    }
+    if let Some(points) = &geometry.two_points {
+        lines.push(Section::TwoPoints.name().to_owned());
+        lines.extend(report::two_points(STYLE, points, unit).map(indented));
     }
     lines
 }
@@ -153,6 +179,7 @@ fn widths(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
         lines.push(format!("{ESTIMATED_WIDTH_PX}: {rounded} px (unrounded {exact} px)"));
     }
     if let Some(width) = solution.estimated_width {
+        let unit = STYLE.unit_of(width, unit);
         let (rounded, exact) = (length(Some(width), unit), exact(width.in_unit(unit)));
         lines.push(format!(
             "{}: {rounded} (unrounded {exact} {})",

@@ -3,30 +3,48 @@
 /// What stands where there is no number.
 pub const NO_NUMBER: &str = "–.–";
 
-/// Which numbers are written out; others are in scientific notation.
+/// Which numbers are written out; others have a power of ten behind them.
 #[derive(Clone, Copy, Debug)]
 pub struct Notation {
     smallest: f64,
     largest: f64,
+    /// Whether digits of long numbers stand in groups.
+    groups: bool,
 }
 
 /// An `f64` has no more digits than this many behind the first.
 const MOST_PLACES: i32 = 17;
 
+/// Between groups of digits.
+const GROUP: char = '\u{2009}';
+
 impl Notation {
     /// Short enough for a card.
     pub const SHORT: Self = Self {
         smallest: 0.001,
-        largest: 99_999.0,
+        largest: 999_999.0,
+        groups: true,
     };
 
     /// For programs as much as for people: written out until nobody would count the zeros.
     pub const LONG: Self = Self {
         smallest: 1e-6,
         largest: 1e15,
+        groups: false,
     };
 
-    fn writes_out(self, value: f64) -> bool {
+    /// In a terminal, where no unit was asked for.
+    pub const TERMINAL: Self = Self {
+        largest: Self::SHORT.largest,
+        ..Self::LONG
+    };
+
+    /// The smallest number that is written out.
+    pub(crate) const fn smallest(self) -> f64 {
+        self.smallest
+    }
+
+    pub(crate) fn writes_out(self, value: f64) -> bool {
         value == 0.0 || (self.smallest..=self.largest).contains(&value.abs())
     }
 
@@ -43,24 +61,24 @@ impl Notation {
             return scientific;
         };
         if !self.writes_out(value) {
-            return scientific;
+            return with_power(&scientific);
         }
         // Rounding may have added a digit in front: 9.9996 is 10.00.
         let decimals = i32::try_from(digits).unwrap_or(i32::MAX).saturating_sub(1).saturating_sub(exponent);
-        match usize::try_from(decimals) {
+        self.grouped(match usize::try_from(decimals) {
             Ok(decimals) => format!("{rounded:.decimals$}"),
             Err(_) => format!("{rounded:.0}"),
-        }
+        })
     }
 
     /// `value` as someone would type it: up to `digits` significant digits and no trailing zeros.
     pub fn plain(self, value: f64, digits: usize) -> String {
-        let text = self.significant(value, digits);
-        let (mantissa, exponent) = text.find('e').and_then(|at| text.split_at_checked(at)).unwrap_or((&text, ""));
+        let text = Self { groups: false, ..self }.significant(value, digits);
+        let (mantissa, power) = text.find(TIMES).and_then(|at| text.split_at_checked(at)).unwrap_or((&text, ""));
         if !mantissa.contains('.') {
             return text;
         }
-        format!("{}{exponent}", mantissa.trim_end_matches('0').trim_end_matches('.'))
+        format!("{}{power}", mantissa.trim_end_matches('0').trim_end_matches('.'))
     }
 
     /// `value` to `decimals` places; negative ones round to tens, hundreds and so on. Not finite: [`NO_NUMBER`].
@@ -72,20 +90,65 @@ impl Notation {
         let places = usize::try_from(decimals.saturating_add(magnitude).min(MOST_PLACES)).unwrap_or(0);
         let scientific = format!("{value:.places$e}");
         if !self.writes_out(value) {
-            return scientific;
+            return with_power(&scientific);
         }
-        match usize::try_from(decimals.min(MOST_PLACES - magnitude)) {
+        self.grouped(match usize::try_from(decimals.min(MOST_PLACES - magnitude)) {
             Ok(decimals) => format!("{value:.decimals$}"),
             // Rounded to tens or more: written as a whole number.
             Err(_) => scientific.parse::<f64>().map_or(scientific, |whole| format!("{whole:.0}")),
-        }
+        })
     }
+
+    /// A written-out number with its whole part in groups of three digits, where that has more than four.
+    fn grouped(self, number: String) -> String {
+        let whole = number.find('.').unwrap_or(number.len());
+        let first = usize::from(number.starts_with('-'));
+        if !self.groups || whole - first <= 4 {
+            return number;
+        }
+        let mut grouped = String::with_capacity(number.len() + 8);
+        for (at, c) in number.char_indices() {
+            if at > first && at < whole && (whole - at).is_multiple_of(3) {
+                grouped.push(GROUP);
+            }
+            grouped.push(c);
+        }
+        grouped
+    }
+}
+
+/// Between a number and its power of ten.
+const TIMES: &str = " × 10";
+
+/// "1.400e-11" as people write it, 1.400 × 10⁻¹¹.
+fn with_power(scientific: &str) -> String {
+    match scientific.split_once('e') {
+        Some((mantissa, exponent)) => format!("{mantissa}{TIMES}{}", raised(exponent)),
+        None => scientific.to_owned(),
+    }
+}
+
+/// The power of ten to put behind a number, " × 10⁻¹¹".
+pub(crate) fn power(exponent: i32) -> String {
+    format!("{TIMES}{}", raised(&exponent.to_string()))
+}
+
+fn raised(exponent: &str) -> String {
+    let raised = |c: char| match c {
+        '-' => '⁻',
+        c => c
+            .to_digit(10)
+            .and_then(|digit| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(usize::try_from(digit).ok()?))
+            .unwrap_or(c),
+    };
+    exponent.chars().map(raised).collect()
 }
 
 /// Significant digits of a number that stands as it was typed, at most.
 pub const TYPED_DIGITS: usize = 12;
 
-/// [`Notation::significant`] in short notation: `significant(1.4, 4)` is "1.400", `significant(123456.0, 4)` is "1.235e5".
+/// [`Notation::significant`] in short notation: `significant(1.4, 4)` is "1.400", `significant(1.4e-11, 4)` is
+/// "1.400 × 10⁻¹¹".
 pub fn significant(value: f64, digits: usize) -> String {
     Notation::SHORT.significant(value, digits)
 }
@@ -135,18 +198,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn four_significant_digits_and_scientific_outside_the_readable_range() {
+    fn four_significant_digits_and_a_power_of_ten_outside_the_readable_range() {
         for (value, expected) in [
             (1.4, "1.400"),
             (4.275, "4.275"),
             (0.001, "0.001000"),
-            (0.0009999, "9.999e-4"),
-            (0.000_999_99, "1.000e-3"),
-            (12_345.6, "12350"),
-            (99_990.0, "99990"),
-            (99_999.0, "100000"),
-            (99_999.1, "1.000e5"),
-            (123_456.0, "1.235e5"),
+            (0.0009999, "9.999 × 10⁻⁴"),
+            (0.000_999_99, "1.000 × 10⁻³"),
+            (1234.5, "1234"),
+            (12_345.6, "12\u{2009}350"),
+            (-12_345.6, "-12\u{2009}350"),
+            (384_400.0, "384\u{2009}400"),
+            (999_999.1, "1.000 × 10⁶"),
+            (2e8, "2.000 × 10⁸"),
+            (1.4e-11, "1.400 × 10⁻¹¹"),
             (-1.23456, "-1.235"),
             (0.0, "0"),
             (f64::NAN, NO_NUMBER),
@@ -165,8 +230,8 @@ mod tests {
             (123_456.0, 4, "123500"),
             (0.000_123_456, 4, "0.0001235"),
             (-1234.56, 2, "-1200"),
-            (1.5e20, 4, "1.500e20"),
-            (1.5e-20, 4, "1.500e-20"),
+            (1.5e20, 4, "1.500 × 10²⁰"),
+            (1.5e-20, 4, "1.500 × 10⁻²⁰"),
         ] {
             assert_eq!(Notation::LONG.significant(value, digits), expected, "{value} with {digits}");
         }
@@ -177,11 +242,11 @@ mod tests {
             (4.0, -3, "4"),
             (0.0, 3, "0.000"),
             (1.4, 40, "1.39999999999999991"),
-            (2e20, -18, "2.00e20"),
+            (2e20, -18, "2.00 × 10²⁰"),
         ] {
             assert_eq!(Notation::LONG.to_decimals(value, decimals), expected, "{value} to {decimals}");
         }
-        for (value, expected) in [(0.1 * 1000.0, "100"), (1_234_567.5, "1234567.5"), (1e-300, "1e-300")] {
+        for (value, expected) in [(0.1 * 1000.0, "100"), (1_234_567.5, "1234567.5"), (1e-300, "1 × 10⁻³⁰⁰")] {
             assert_eq!(Notation::LONG.plain(value, 12), expected);
         }
     }
@@ -208,7 +273,8 @@ mod tests {
         assert_eq!(plain(0.1), "0.1");
         assert_eq!(plain(700.0), "700");
         assert_eq!(plain(3.3 * 0.3048), "1.00584");
-        assert_eq!(plain(1e-300), "1e-300");
+        assert_eq!(plain(1e-300), "1 × 10⁻³⁰⁰");
+        assert_eq!(plain(123_456.5), "123456.5");
         assert_eq!(exact(1.372_549_019_607_843_2), "1.3725490196078431");
         assert_eq!(exact(1e200), "1e200");
     }

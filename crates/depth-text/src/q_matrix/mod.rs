@@ -10,6 +10,7 @@ use crate::fields::{BASELINE, CX, CY, DOFFS, FOCAL_LENGTH};
 use crate::form::Inputs;
 use crate::note::Issue;
 use crate::number::{exact, plain};
+use depth_core::problem::Method;
 use depth_core::q_matrix::{self, StereoGeometry};
 use depth_core::quantity::Pixels;
 use scan::{Scanned, entries, side_by_side, sixteen, without_comments};
@@ -58,7 +59,7 @@ pub fn of_form(assessment: &Assessment) -> Option<StereoGeometry> {
     let problem = &assessment.solution.problem;
     let pixels = |key| assessment.reading(key).map(|reading| Pixels::new(reading.value));
     Some(StereoGeometry {
-        focal_length: problem.focal_length?.value,
+        focal_length: problem.focal_length_of(Method::Stereo)?.px()?.value,
         baseline: problem.baseline?.value.m(),
         doffs: problem.offset().value,
         cx: pixels(CX)?,

@@ -3,6 +3,7 @@
 use super::words::capital;
 use crate::field::Key;
 use crate::variants::variants;
+use depth_core::problem::Method;
 use std::fmt::{self, Display, Formatter};
 
 variants! {
@@ -35,10 +36,18 @@ variants! {
         UnusedFocalLength,
         /// Something else than the distance is solved for, and no distance was given.
         NoKnownDistance,
+        /// A choice that belongs to a method of which nothing was given.
+        UnusedChoice { method: Method },
+        /// A focal length beside angles.
+        UnusedBesideAngle,
+        /// fy where nothing is counted in rows.
+        UnusedFy,
+        /// A point that is not three numbers.
+        NotAPoint,
         /// The focal length is solved for, and both equations have it.
         WhichEquation,
-        /// The floor cannot be met without these options.
-        NoGround { options: Vec<String> },
+        /// A way of its own, such as the ground plane, without these options.
+        NoWay { options: Vec<String> },
         /// A file cannot be read.
         UnreadableFile { file: String, reason: String },
         /// What is solved for needs more options.
@@ -76,11 +85,20 @@ impl Display for CommandLine {
             Self::UnusedUnknown => f.write_str("Not used: it is what --solve-for solves for."),
             Self::UnusedWithAngle => f.write_str("Not used with --angle, which takes the place of a row."),
             Self::UnusedFocalLength => f.write_str("Not used: --fy takes its place for the row, and no column is given."),
+            Self::UnusedChoice { method: Method::Stereo } => {
+                f.write_str("Not used: it belongs to the stereo distance, which needs --baseline and --disparity.")
+            }
+            Self::UnusedChoice { method: Method::Monocular } => {
+                f.write_str("Not used: it belongs to the monocular distance, which needs --w-img and --w-real.")
+            }
+            Self::UnusedBesideAngle => f.write_str("Not used: an angle needs no focal length."),
+            Self::UnusedFy => f.write_str("Not used: it belongs to rows, those of --object height, of --pair vertical or of a point."),
+            Self::NotAPoint => f.write_str("a point is its column, its row and its disparity with commas between, such as 138,219,36"),
             Self::NoKnownDistance => f.write_str("With --solve-for the distance is an input: give it with --distance."),
             Self::WhichEquation => {
                 f.write_str("Both methods have an fx: to solve for it leave out either --baseline and --disparity or --w-img and --w-real.")
             }
-            Self::NoGround { options } => incomplete(f, "No distance can be computed.", &enumerated(options)),
+            Self::NoWay { options } => incomplete(f, "No distance can be computed.", &enumerated(options)),
             Self::UnreadableFile { file, reason } => write!(f, "{file} cannot be read: {reason}."),
             Self::NotSolved { unknown, options } => {
                 let what = format!("{} cannot be computed.", capital(unknown.noun));

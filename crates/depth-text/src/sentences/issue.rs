@@ -42,6 +42,18 @@ impl Display for Issue {
                 key.noun,
                 pixels_instead(*key, *unit)
             ),
+            Self::PixelsBesideLengths { key } => write!(
+                f,
+                "Lengths on the sensor and pixels do not go together: type {} as a length too, or the others in pixels.",
+                key.noun
+            ),
+            Self::DoffsInPixels => f.write_str("doffs is in pixels, and so must the disparity be. Leave doffs out, or type the disparity in pixels."),
+            Self::ExtentTooWide { key } => write!(f, "Nothing in a picture spans 180° or more. Type a smaller angle for {}.", key.noun),
+            Self::BehindZero => f.write_str("The tape would start beyond the object: no distance is left. Check the zero point, and its sign."),
+            Self::AngleHasNoFocalLength => f.write_str("An angle needs no focal length, so none follows from it. Type the width in the image in pixels."),
+            Self::BallHasNoTilt => f.write_str("A ball looks the same from every side: the tilt is not used."),
+            Self::NotNearer => f.write_str("The second photograph must show the object larger than the first. Are the two swapped?"),
+            Self::NoBaseline => f.write_str("At this angle nothing of the baseline is left. Type one above 0° and below 180°."),
             Self::PixelsForLength { key } => write!(f, "{} is a length, not a number of pixels. {}", capital(key.noun), units(key.kind)),
             Self::NotWhole { key, text } => write!(f, "{} is not a whole number. {}", quoted(text), what_to_type(*key)),
             Self::Zero { key } => write!(f, "{} cannot be zero. {}", capital(key.noun), what_to_type(*key)),
@@ -196,7 +208,7 @@ fn sigma(f: &mut Formatter<'_>, key: Key, text: &str, what: &str) -> fmt::Result
         Kind::Length(_) => "0.5 mm or 1 %",
         Kind::Pitch => "0.05 µm or 1 %",
         Kind::Angle => "0.5° or 1 %",
-        Kind::Pixels | Kind::Count | Kind::Plain | Kind::Text => "0.5 or 1 %",
+        Kind::Pixels | Kind::FocalLength | Kind::Extent | Kind::Count | Kind::Plain | Kind::Text => "0.5 or 1 %",
     };
     write!(f, "{} {what} Type one standard deviation, such as {example}.", quoted(text))
 }
@@ -204,13 +216,9 @@ fn sigma(f: &mut Formatter<'_>, key: Key, text: &str, what: &str) -> fmt::Result
 /// "Type a number above zero, such as 700 px."
 fn what_to_type(key: Key) -> String {
     let examples = key.examples.join(" or ");
-    let unit = match key.unit_symbol() {
-        "" => String::new(),
-        "°" => "°".to_owned(),
-        symbol => format!(" {symbol}"),
-    };
+    let unit = key.kind.default_unit().map_or_else(String::new, |unit| unit.behind(""));
     match key.kind {
-        Kind::Pixels if key.signed => format!("Type a number of pixels, such as {examples}."),
+        Kind::Pixels | Kind::Extent if key.signed => format!("Type a number of pixels, such as {examples}."),
         Kind::Count => format!("Type a whole number, such as {examples}."),
         _ if key.signed => format!("Type a number, such as {examples}{unit}."),
         _ => format!("Type a number above zero, such as {examples}{unit}."),
@@ -220,20 +228,24 @@ fn what_to_type(key: Key) -> String {
 /// Which units can be typed.
 const fn units(kind: Kind) -> &'static str {
     match kind {
-        Kind::Pixels => "Type only a number of pixels.",
-        Kind::Length(_) => "Use mm, cm, m, in or ft.",
-        Kind::Pitch => "Use µm, mm, cm, m, in or ft.",
-        Kind::Angle => "Use ° or rad.",
+        Kind::Pixels | Kind::FocalLength => "Type only a number of pixels.",
+        Kind::Extent => "Type a number of pixels, or an angle in °, ′, ″, rad, mrad, MOA or mil.",
+        Kind::Length(_) => "Use mm, cm, m, km, in, ft, yd or mi.",
+        Kind::Pitch => "Use µm, nm, mm, cm, m or in.",
+        Kind::Angle => "Use °, ′, ″, rad, mrad, MOA or mil.",
         Kind::Count => "Type only a whole number.",
         Kind::Plain | Kind::Text => "Type only a number.",
     }
 }
 
 fn pixels_instead(key: Key, unit: Unit) -> String {
-    if key == fields::FOCAL_LENGTH {
-        format!("Divide the focal length in {0} by the width of one pixel in {0}.", unit.symbol())
-    } else {
-        "Type how many pixels it is in the image.".to_owned()
+    match key.kind {
+        Kind::FocalLength => format!(
+            "Divide the focal length in {0} by the width of one pixel in {0}. Or type the disparity or the width in the image as a length on the sensor too.",
+            unit.symbol()
+        ),
+        Kind::Extent => "Type how many pixels it is in the image, or the focal length as a length too.".to_owned(),
+        _ => "Type how many pixels it is in the image.".to_owned(),
     }
 }
 

@@ -5,10 +5,11 @@ use crate::assess::Assessment;
 use crate::field::Key;
 use crate::names::Named as _;
 use crate::number::{plain, significant};
+use crate::style::Style;
 use crate::variants::variants;
 use depth_core::agreement::{Agreement, Suspect, Verdict};
 use depth_core::problem::{Field, Method, Uncertainty};
-use depth_core::quantity::LengthUnit;
+use depth_core::quantity::{Length, LengthUnit};
 use std::fmt::{self, Display, Formatter};
 
 variants! {
@@ -26,6 +27,12 @@ variants! {
         /// So too, and one is so much larger that not both can be right.
         Contradict { ratio: Option<f64>, pair: Pair },
 
+        /// The lens stands in the distance.
+        LensAdded { lens: Length, unit: LengthUnit },
+        /// Which mil it is.
+        NatoMil,
+        /// The σ of two photographs is that of one pixel, as none was typed.
+        OnePixelEach,
         /// What the combined distance is.
         Combined,
         /// The input behind most of the variance, and its share.
@@ -198,6 +205,13 @@ impl Display for Statement {
                 Some(times) => write!(f, "{}: an input is wrong.", capital(&times)),
                 None => write!(f, "{} have nothing to do with each other: an input is wrong.", pair.both()),
             },
+            Self::LensAdded { lens, unit } => write!(
+                f,
+                "with the {} of the lens, which so near are more than 1 % of the distance: a focused lens has its image at f·D/(D − f), not at f",
+                Style::WINDOW.length(Some(lens), unit)
+            ),
+            Self::NatoMil => f.write_str("A mil is 1/6400 of the circle here (NATO), 0.98175 mrad; that of many rifle scopes is the mrad"),
+            Self::OnePixelEach => f.write_str("± is for 1 px in each width, as no uncertainty was typed"),
             Self::Combined => f.write_str("combined, the shared focal length accounted for"),
             Self::MainCause { source, share } => {
                 let how = if share >= 0.5 { "mostly" } else { "most of it" };

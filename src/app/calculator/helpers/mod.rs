@@ -11,19 +11,20 @@ use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::{scroll, text};
 use crate::core::q_matrix::StereoGeometry;
-use crate::core::quantity::LengthUnit;
+use crate::core::quantity::{Length, LengthUnit};
 use depth_text::choices::SENSOR_FORMATS;
 use depth_text::entry::Entry;
 use depth_text::fields;
 use depth_text::note::{Issue, Note};
-use depth_text::number::{plain, significant};
+use depth_text::number::plain;
 use depth_text::reading::{self, Reading};
-use depth_text::ways::{DISPARITIES, FOCAL_LENGTHS, Way, WayResult};
+use depth_text::ways::{BASELINES, DISPARITIES, FOCAL_LENGTHS, Way, WayResult};
 use egui::{Button, ComboBox, RichText, Stroke, Ui, vec2};
 
 const fn title(helper: Helper) -> &'static str {
     match helper {
         Helper::FocalLength => "Where does the focal length come from?",
+        Helper::Baseline => "How do the cameras stand to the line of sight?",
         Helper::Disparity => "What is known of the disparity?",
     }
 }
@@ -32,6 +33,7 @@ const fn title(helper: Helper) -> &'static str {
 const fn key(helper: Helper) -> &'static str {
     match helper {
         Helper::FocalLength => "fx",
+        Helper::Baseline => "b",
         Helper::Disparity => "d",
     }
 }
@@ -39,6 +41,7 @@ const fn key(helper: Helper) -> &'static str {
 const fn ways(helper: Helper) -> &'static [Way] {
     match helper {
         Helper::FocalLength => FOCAL_LENGTHS,
+        Helper::Baseline => BASELINES,
         Helper::Disparity => DISPARITIES,
     }
 }
@@ -106,13 +109,13 @@ pub struct Solved {
 }
 
 impl Solved {
-    /// Computes the result of the way that is chosen in `helper`.
-    pub fn new(helper: Helper, settings: &Settings) -> Self {
+    /// Computes the result of the way that is chosen in `helper`; distances count from `zero`.
+    pub fn new(helper: Helper, settings: &Settings, zero: Length) -> Self {
         let way = Way::named(ways(helper), chosen(helper, &settings.ways).0);
         let matrix = settings.entries.entry(fields::Q_MATRIX);
         Self {
             way: way.map_or("", |way| way.key),
-            result: way.map(|way| way.solve(&settings.entries)).unwrap_or_default(),
+            result: way.map(|way| way.solve(&settings.entries, zero)).unwrap_or_default(),
             square: reading::read(fields::SQUARE_SIZE, settings.entries.entry(fields::SQUARE_SIZE)).transpose(),
             q_matrix: (way.is_none() && !matrix.is_blank()).then(|| depth_text::q_matrix::read(&matrix.text)),
         }
@@ -161,6 +164,7 @@ fn way_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
             reading: result.readings.iter().find(|reading| reading.key == key),
             notes: result.notes.iter().filter(|note| note.key == key).collect(),
             with_sigma: false,
+            hint: key.hint,
             helper: None,
             id: field::id(key),
             submits: false,
@@ -177,14 +181,16 @@ fn way_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
     text::caption_ui(ui, way.remark);
     ui.add_space(theme::STEP);
     let symbol = way.target.symbol;
-    let label = result.value.map_or_else(
-        || format!("Use as {symbol}"),
-        |value| format!("Use {symbol} = {} px", significant(value, 6)),
-    );
+    let label = result
+        .value
+        .map_or_else(|| format!("Use as {symbol}"), |value| format!("Use {}", way.result_text(value)));
     if use_button_ui(ui, &label, result.value.is_some())
         && let Some(value) = result.value
     {
-        cx.commands.push(Command::Fix(way.target, way.entry(value)));
+        let also = way.also(&cx.settings.entries);
+        cx.commands.push(Command::FillIn(
+            std::iter::once((way.target, way.entry(value))).chain(also).collect(),
+        ));
     }
 }
 

@@ -1,8 +1,9 @@
 //! What the top view shows, in meters, and what is written into it.
 
 use crate::app::sentences::{Description, Hint, TopView};
-use crate::core::problem::{Origin, Solution};
+use crate::core::problem::{Method, Origin, Solution};
 use crate::core::quantity::{Length, LengthUnit};
+use crate::core::setup::Object;
 use depth_text::assess::Assessment;
 use depth_text::field::Key;
 use depth_text::names::Named as _;
@@ -21,6 +22,8 @@ pub(super) struct Model {
     pub(super) width_m: Option<f64>,
     /// The 1 σ interval of the depth, where it is known; without an upper bound its far end is absent.
     pub(super) interval_m: Option<(f64, Option<f64>)>,
+    /// Whether it is seen from the side, as the cameras stand one above the other, or a height is measured.
+    pub(super) is_from_side: bool,
 }
 
 impl Model {
@@ -31,11 +34,16 @@ impl Model {
         let interval = solution.best_interval();
         let interval_m = interval.map(|interval| (interval.near.m(), interval.far.map(Length::m)));
         let has_stereo = solution.stereo.distance().is_some();
+        let is_from_side = problem.needs_fy(if has_stereo { Method::Stereo } else { Method::Monocular });
         let model = Self {
             depth_m: best.distance.value.m(),
             origin: Some(best.origin).filter(|_| has_stereo && solution.monocular.distance().is_some()),
             baseline_m: problem.baseline.filter(|_| has_stereo).map(|baseline| baseline.value.m()),
-            width_m: problem.foreshortened_width().map(|width| width.value.m()),
+            width_m: problem
+                .foreshortened_width()
+                .filter(|_| (problem.object == Object::Height) == is_from_side)
+                .map(|width| width.value.m()),
+            is_from_side,
             interval_m,
         };
         // Painting is done in f32, so lengths beyond its range are not drawn.
@@ -49,6 +57,7 @@ impl Model {
 
     pub(super) const fn remark(&self) -> Hint {
         match self.baseline_m {
+            _ if self.is_from_side => Hint::FromTheSide,
             Some(_) => Hint::ObjectMidway,
             None => Hint::ObjectAhead,
         }

@@ -1,4 +1,8 @@
-//! The point in space that a pixel shows, and the ground plane as a way to a distance of its own.
+//! The point in space that a pixel shows, and the ways to a distance of their own: the ground plane, two photographs, two points.
+
+mod two;
+
+pub use two::missing_for;
 
 use crate::field::Key;
 use crate::fields::{
@@ -10,10 +14,13 @@ use crate::reading::{Reading, with_opposite_sign};
 use depth_core::agreement::Comparison;
 use depth_core::angle::Angle;
 use depth_core::camera::{Along, BelowAxis, GroundSolution, GroundView, PointSolution, PointView, RightOfAxis};
+use depth_core::in_image::InImage;
 use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
 use depth_core::problem::{Method, Origin, Solution};
 use depth_core::quantity::{Length, Pixels, Quantity};
+use depth_core::two_points::TwoPointsSolution;
+use depth_core::two_shots::TwoShotsSolution;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 
 /// The point in space and the ground plane.
@@ -25,6 +32,19 @@ pub struct Geometry {
     pub ground: Option<GroundSolution>,
     /// What the monocular distance would be without the tilt; `None` where there is neither.
     pub facing: Option<Length>,
+    /// What two photographs say; `None` while something is missing.
+    pub two_shots: Option<TwoShots>,
+    /// What two points say; `None` while something is missing.
+    pub two_points: Option<TwoPointsSolution>,
+}
+
+/// What two photographs say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TwoShots {
+    /// The distances, counted from where all are, and the width.
+    pub solution: TwoShotsSolution,
+    /// Whether its σ is that of one pixel in each width, as none was typed: there is always one to be seen.
+    pub is_one_pixel_each: bool,
 }
 
 /// Where the distance of a point is from.
@@ -51,7 +71,16 @@ impl Geometry {
         notes.extend(point.and_then(|(_, point)| vague_range(&camera, point.z)));
         let has_distance = solution.monocular.distance().is_some();
         let facing = solution.problem.distance_if_facing().filter(|_| has_distance);
-        (Self { point, ground, facing }, notes)
+        let two_shots = two::shots(&camera).map_err(|note| notes.push(note)).ok().flatten();
+        let two_points = two::points(&camera).map_err(|note| notes.push(note)).ok().flatten();
+        let geometry = Self {
+            point,
+            ground,
+            facing,
+            two_shots,
+            two_points,
+        };
+        (geometry, notes)
     }
 }
 
@@ -83,7 +112,7 @@ impl Camera<'_> {
     }
 
     fn fx(&self) -> Option<Measured<Pixels>> {
-        self.solution.problem.focal_length
+        self.solution.problem.focal_length?.px()
     }
 
     /// fy with the relative σ of fx.
@@ -93,7 +122,7 @@ impl Camera<'_> {
     }
 
     fn fy(&self) -> Option<Pixels> {
-        self.pixels(FY).or(self.fx().map(|fx| fx.value))
+        self.solution.problem.fy.and_then(InImage::px).or(self.fx()).map(|fy| fy.value)
     }
 }
 
@@ -107,12 +136,17 @@ fn point(camera: &Camera<'_>) -> Result<Option<(PointOrigin, PointSolution)>, No
 }
 
 fn point_view(camera: &Camera<'_>) -> Option<(PointOrigin, PointView)> {
+    let best = camera.solution.best();
+    // A taped distance counts from where all others do.
+    let shift = best.map_or_else(|| camera.solution.problem.shift(), |best| best.shift);
     let (origin, along) = match (camera.measured(TAPED_RANGE), camera.given) {
         (Some(range), _) => (PointOrigin::Range, Along::Ray(range)),
         (None, Some((method, distance))) => (PointOrigin::Given(method), Along::GivenDepth(distance)),
         (None, None) => {
-            let best = camera.solution.best()?;
-            (PointOrigin::Distance(best.origin), Along::Axis(best.distance))
+            let best = best?;
+            // That of an angle does not grow with the focal length.
+            let along = if best.has_focal_length { Along::Axis } else { Along::GivenDepth };
+            (PointOrigin::Distance(best.origin), along(best.distance))
         }
     };
     let view = PointView {
@@ -123,6 +157,7 @@ fn point_view(camera: &Camera<'_>) -> Option<(PointOrigin, PointView)> {
         column: camera.pixels(PIXEL_COLUMN)?,
         row: camera.pixels(PIXEL_ROW)?,
         along,
+        shift,
     };
     Some((origin, view))
 }
@@ -170,7 +205,7 @@ fn key_of(camera: &Camera<'_>, term: Term) -> Key {
         Term::PrincipalPoint => CX,
         Term::Input(_) if camera.fx().is_none() => FY,
         Term::Input(_) => FOCAL_LENGTH,
-        Term::CameraHeight | Term::Distance => CAMERA_HEIGHT,
+        Term::FarWidth | Term::NearWidth | Term::Step | Term::CameraHeight | Term::Distance => CAMERA_HEIGHT,
     }
 }
 
@@ -197,7 +232,7 @@ fn contradiction(camera: &Camera<'_>, origin: PointOrigin, point: &PointSolution
     let range = camera.measured::<Length>(TAPED_RANGE).filter(|_| origin == PointOrigin::Range)?;
     // Of the relative σ of the focal length the depth of a range has 1 − Z²/R². A computed distance, which grows with it, has all of
     // it, so that Z²/R² is left between the two; one that was given has none.
-    let slope = point.z.value.m() / range.value.m();
+    let slope = (point.z.value.m() / range.value.m()).min(1.0);
     let (other, of_focal_length) = match camera.given {
         Some((_, given)) => (given, 1.0 - slope * slope),
         None => (camera.solution.best()?.distance, slope * slope),

@@ -1,0 +1,82 @@
+//! `step`: how far away something of unknown size is, from two photographs and the step between them.
+
+use super::ascii::in_sentence;
+use super::options::{Step, name};
+use super::reply::Reply;
+use super::warning::Warning;
+use depth_text::field::Section;
+use depth_text::form::Inputs;
+use depth_text::geometry::{TwoShots, missing_for};
+use depth_text::note::{Part, Severity};
+use depth_text::report;
+use depth_text::sentences::{CommandLine, Statement};
+use serde::Serialize;
+
+/// Lengths in meters; null for what is unknown.
+#[derive(Serialize)]
+struct Answer<'a> {
+    distance_far_m: f64,
+    distance_near_m: f64,
+    /// Of the distance from the first place.
+    sigma_m: f64,
+    sigma_near_m: f64,
+    size_m: Option<f64>,
+    sigma_size_m: Option<f64>,
+    warnings: &'a [Warning],
+}
+
+impl Step {
+    /// The answer, or one sentence that says why there is none.
+    pub(super) fn reply(&self) -> Result<Reply, String> {
+        self.fields.refuse_empty()?;
+        let inputs = Inputs {
+            entries: self.fields.entries(),
+            with_uncertainty: true,
+            ..Inputs::default()
+        };
+        let assessment = inputs.assess();
+        if let Some(note) = assessment.notes.iter().find(|note| note.severity == Severity::Error) {
+            return Err(Warning::of(note).to_string());
+        }
+        let Some(shots) = &assessment.geometry.two_shots else {
+            let mut missing = missing_for(Section::TwoShots, &inputs);
+            if missing.is_empty() {
+                missing.extend(Section::TwoShots.keys());
+            }
+            let options = missing.into_iter().map(|key| name(key, Part::Value)).collect();
+            return Err(CommandLine::NoWay { options }.to_string());
+        };
+        let warnings: Vec<Warning> = assessment.notes.iter().map(Warning::of).collect();
+        if self.fields.json {
+            return json(shots, &warnings);
+        }
+        let lines = report::two_shots(self.fields.style(), &shots.solution, self.fields.unit);
+        let mut text = String::new();
+        for (place, (what, value)) in lines.into_iter().enumerate() {
+            let indent = if place == 0 { "" } else { "  " };
+            text.push_str(&format!("{indent}{value} ({})\n", what.to_lowercase()));
+        }
+        if shots.is_one_pixel_each {
+            text.push_str(&format!("  {}\n", Statement::OnePixelEach));
+        }
+        Ok(Reply {
+            text: in_sentence(&text),
+            warnings: warnings.iter().map(Warning::to_string).collect(),
+        })
+    }
+}
+
+fn json(shots: &TwoShots, warnings: &[Warning]) -> Result<Reply, String> {
+    let solution = &shots.solution;
+    let answer = Answer {
+        distance_far_m: solution.far.value.m(),
+        distance_near_m: solution.near.value.m(),
+        sigma_m: solution.far.sigma.m(),
+        sigma_near_m: solution.near.sigma.m(),
+        size_m: solution.size.map(|size| size.value.m()),
+        sigma_size_m: solution.size.map(|size| size.sigma.m()),
+        warnings,
+    };
+    let text = serde_json::to_string_pretty(&answer).map_err(|error| error.to_string())?;
+    Ok(Reply::without_warnings(text + "\n"))
+}
