@@ -24,6 +24,11 @@ pub enum Helper {
 }
 
 impl Helper {
+    /// Whether its link comes behind the field in the order of the focus: whoever types five numbers in a row needs it least.
+    pub const fn comes_last(self) -> bool {
+        matches!(self, Self::Baseline)
+    }
+
     /// The helper that is offered at `field`.
     pub const fn at(field: Field) -> Option<Self> {
         match field {

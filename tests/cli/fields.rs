@@ -54,7 +54,7 @@ fn some_number(key: Key) -> String {
 fn filled(key: Key) -> Entry {
     Entry {
         text: some_number(key),
-        unit: key.is_length().then_some(Unit::Length(LengthUnit::Inch)),
+        unit: key.is_length().then_some(LengthUnit::Inch),
         sigma: if key.has_sigma { "1 %".into() } else { String::new() },
         ..Entry::default()
     }

@@ -17,7 +17,7 @@ pub struct Entry {
     pub text: String,
     /// The unit chosen beside it; `None` where none was chosen or there is no choice.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub unit: Option<Unit>,
+    pub unit: Option<LengthUnit>,
     /// Whether [`unit`](Self::unit) was typed behind the number, which nobody does by mistake.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub unit_was_typed: bool,
@@ -38,7 +38,7 @@ impl Entry {
     pub fn new(text: impl Into<String>, unit: Option<LengthUnit>) -> Self {
         Self {
             text: text.into(),
-            unit: unit.map(Unit::Length),
+            unit,
             unit_was_typed: false,
             sigma: String::new(),
         }
@@ -100,9 +100,7 @@ impl Entry {
 
     /// The unit of a bare number in the field `key`.
     pub fn chosen_unit(&self, key: Key) -> Option<Unit> {
-        let chosen = self
-            .unit
-            .filter(|unit| key.kind.choices().contains(unit) || (key.is_length() && unit.is_length()));
+        let chosen = self.unit.filter(|_| key.is_length()).map(Unit::Length);
         chosen.or(key.kind.default_unit())
     }
 
@@ -127,10 +125,10 @@ impl Entry {
             }
             return;
         };
-        let can_be_chosen = !key.kind.choices().is_empty() && !matches!(unit, Unit::Square(_));
+        let chosen = unit.length().filter(|_| key.is_length());
         // Of several units each stands with its number. And nothing is lost where the field has this unit and no choice.
-        if !typed.unit_text.is_empty() && (can_be_chosen || key.kind.default_unit() == Some(unit)) {
-            self.unit = can_be_chosen.then_some(unit);
+        if !typed.unit_text.is_empty() && (chosen.is_some() || key.kind.default_unit() == Some(unit)) {
+            self.unit = chosen;
             self.unit_was_typed = true;
             self.text = typed.number_text;
         }
@@ -138,13 +136,12 @@ impl Entry {
 
     /// Chooses `unit` for the field `key` and keeps the typed number, without squares of a board behind it. Several units are
     /// converted: they were no slip.
-    pub fn choose_unit(&mut self, key: Key, unit: impl Into<Unit>) {
-        let unit = unit.into();
+    pub fn choose_unit(&mut self, key: Key, unit: LengthUnit) {
         if let Ok(typed) = number::read(&self.text, key.kind.primes())
             && typed.unit_text.is_empty()
-            && let Some(before) = typed.unit.filter(|before| before.base() == unit.base())
+            && let Some(before) = typed.unit.filter(|before| before.is_length())
         {
-            self.text = number::plain(unit.from_base(before.to_base(typed.number)));
+            self.text = number::plain(Unit::Length(unit).from_base(before.to_base(typed.number)));
         }
         if let Some((number, _)) = self.text.split_once("square") {
             self.text = number.trim().to_owned();
@@ -161,8 +158,8 @@ impl Entry {
     }
 
     /// Everything that was typed or chosen; `None` where that is nothing.
-    fn content(&self, key: Key) -> Option<(&str, Option<Unit>, &str)> {
-        let unit = self.unit.filter(|&unit| key.kind.default_unit() != Some(unit));
+    fn content(&self, key: Key) -> Option<(&str, Option<LengthUnit>, &str)> {
+        let unit = self.unit.filter(|&unit| key.kind.length_unit() != Some(unit));
         let content = (self.text.as_str(), unit, self.sigma.as_str());
         (content != ("", None, "")).then_some(content)
     }
@@ -201,7 +198,7 @@ impl Entries {
         self.0.values().all(|entry| entry.is_blank() && entry.sigma.trim().is_empty())
     }
 
-    fn content(&self) -> impl Iterator<Item = (Key, (&str, Option<Unit>, &str))> {
+    fn content(&self) -> impl Iterator<Item = (Key, (&str, Option<LengthUnit>, &str))> {
         self.0.iter().filter_map(|(&key, entry)| Some((key, entry.content(key)?)))
     }
 }

@@ -3,7 +3,6 @@
 
 use crate::number::Primes;
 use crate::unit::Unit;
-use depth_core::angle::AngleUnit;
 use depth_core::problem::Field;
 use depth_core::quantity::LengthUnit;
 use serde::{Serialize, Serializer};
@@ -63,43 +62,6 @@ impl Kind {
         match self {
             Self::Angle | Self::Extent => Primes::Arcminutes,
             _ => Primes::FeetAndInches,
-        }
-    }
-
-    /// The units that can be chosen beside such a field, the usual ones first; empty where there is no choice. Others can be typed.
-    pub const fn choices(self) -> &'static [Unit] {
-        use AngleUnit::{Arcminute, Arcsecond, Milliradian, MinuteOfAngle, NatoMil};
-        const fn length(unit: LengthUnit) -> Unit {
-            Unit::Length(unit)
-        }
-        const LENGTHS: &[Unit] = &[
-            length(LengthUnit::Millimeter),
-            length(LengthUnit::Centimeter),
-            length(LengthUnit::Meter),
-            length(LengthUnit::Kilometer),
-            length(LengthUnit::Inch),
-            length(LengthUnit::Foot),
-            length(LengthUnit::Yard),
-            length(LengthUnit::Mile),
-        ];
-        const FOCAL_LENGTHS: &[Unit] = &[Unit::Pixel, length(LengthUnit::Millimeter), length(LengthUnit::Inch)];
-        const EXTENTS: &[Unit] = &[
-            Unit::Pixel,
-            Unit::DEGREE,
-            Unit::Angle(Arcminute),
-            Unit::Angle(Arcsecond),
-            Unit::Angle(Milliradian),
-            Unit::Angle(MinuteOfAngle),
-            Unit::Angle(NatoMil),
-            length(LengthUnit::Millimeter),
-            length(LengthUnit::Micrometer),
-            length(LengthUnit::Inch),
-        ];
-        match self {
-            Self::Length(_) => LENGTHS,
-            Self::FocalLength => FOCAL_LENGTHS,
-            Self::Extent => EXTENTS,
-            _ => &[],
         }
     }
 

@@ -3,7 +3,6 @@
 use crate::entry::{Entries, Entry};
 use crate::field::{Key, Section};
 use crate::fields;
-use crate::unit::Unit;
 use depth_core::problem::{Field, Method};
 use depth_core::quantity::LengthUnit;
 use depth_core::setup::{Object, Pair};
@@ -169,7 +168,7 @@ impl Inputs {
 
     /// Chooses `unit` for the field `key` and keeps the typed number: the person corrects the unit, the number is what they
     /// read.
-    pub fn choose_unit(&mut self, key: impl Into<Key>, unit: impl Into<Unit>) {
+    pub fn choose_unit(&mut self, key: impl Into<Key>, unit: LengthUnit) {
         let key = key.into();
         self.entry_mut(key).choose_unit(key, unit);
     }

@@ -53,7 +53,7 @@ pub fn fragment(inputs: &Inputs, assessment: &Assessment) -> String {
         }
         let (text, unit) = match assessment.reading(key) {
             // With every digit that follows from what was typed.
-            Some(reading) if reading.is_computed => (entry.text.trim(), entry.unit),
+            Some(reading) if reading.is_computed => (entry.text.trim(), entry.unit.map(Unit::Length)),
             Some(reading) => (reading.number_text.as_str(), reading.unit.filter(|&unit| unit != Unit::Pixel)),
             // The unit chosen beside it belongs to what may yet become a number.
             None if key.is_length() && entry.text.trim_end().ends_with(|c: char| c.is_ascii_digit()) => {
@@ -147,7 +147,7 @@ mod tests {
 
     #[test]
     fn what_is_written_reads_back_even_when_it_is_not_a_number() {
-        for text in ["700", "a&b=c%", "−3", "1,000", "mug ☕", "4 kg", "1/3"] {
+        for text in ["700", "a&b=c%", "−3", "1,000", "mug ☕", "4 mm", "4 kg", "1/3"] {
             let mut inputs = Example::CoffeeMug.inputs();
             inputs.entry_mut(Field::Disparity).text = text.into();
             let mut back = Inputs::default();

@@ -206,14 +206,8 @@ fn unreadable(key: Key, entry: &Entry, error: NumberError) -> Note {
             few: few.clone(),
         },
     };
-    let fixes = readings.into_iter().map(|reading| {
-        Fix::new(
-            reading.clone(),
-            Entry {
-                unit: entry.unit,
-                ..Entry::new(reading, None)
-            },
-        )
-    });
+    let fixes = readings
+        .into_iter()
+        .map(|reading| Fix::new(reading.clone(), Entry::new(reading, entry.unit)));
     Note::error(key, issue).with_fixes(fixes.collect())
 }

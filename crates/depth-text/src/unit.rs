@@ -4,7 +4,6 @@ use crate::number;
 use depth_core::angle::{Angle, AngleUnit};
 use depth_core::judge;
 use depth_core::quantity::{Length, LengthUnit};
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt::{self, Display, Formatter};
 
 /// A unit that can be typed behind a number.
@@ -132,9 +131,6 @@ impl Unit {
     }
 }
 
-/// The size of a square is a positive number.
-impl Eq for Unit {}
-
 impl From<LengthUnit> for Unit {
     fn from(unit: LengthUnit) -> Self {
         Self::Length(unit)
@@ -154,19 +150,5 @@ impl Display for Unit {
             Self::Square(size) => write!(f, "squares of {} mm", number::plain(size.in_unit(LengthUnit::Millimeter))),
             _ => f.write_str(self.symbol()),
         }
-    }
-}
-
-/// Stored by its symbol.
-impl Serialize for Unit {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
-
-impl<'de> Deserialize<'de> for Unit {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let symbol = String::deserialize(deserializer)?;
-        Self::named(&symbol, true).ok_or_else(|| serde::de::Error::custom("no such unit"))
     }
 }

@@ -39,7 +39,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
 fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
     for section in Section::FORM {
         part_ui(ui, Part::Section(section), |ui| {
-            heading_ui(ui, cx, section);
+            text::card_heading_ui(ui, section.name());
             let mut space = theme::FIRST_FIELD_SPACE;
             for key in section.keys() {
                 // Most rigs have no doffs, so the field is hidden until there is one. fy belongs to a point in space, too.
@@ -51,25 +51,23 @@ fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
                 part_ui(ui, Part::Field(key.as_str()), |ui| field_ui(ui, cx, key, marked));
                 space = theme::STEP;
             }
+            setup_ui(ui, cx, section);
         });
         ui.add_space(2.0 * theme::STEP);
     }
 }
 
-/// The heading of a section, with what is chosen in it: how the cameras stand, what of the object is measured.
-fn heading_ui(ui: &mut Ui, cx: &mut AppContext<'_>, section: Section) {
-    ui.horizontal_wrapped(|ui| {
-        text::card_heading_ui(ui, section.name());
-        let inputs = &mut cx.session.inputs;
-        let changed = match section {
-            Section::Stereo => choice::ui(ui, "Cameras", &Pair::ALL, &mut inputs.pair, cx.layout),
-            Section::Monocular => choice::ui(ui, "Measured", &Object::ALL, &mut inputs.object, cx.layout),
-            _ => false,
-        };
-        if changed {
-            cx.commands.push(Command::Settle);
-        }
-    });
+/// What is chosen in a section: how the cameras stand, what of the object is measured.
+fn setup_ui(ui: &mut Ui, cx: &mut AppContext<'_>, section: Section) {
+    let inputs = &mut cx.session.inputs;
+    let changed = match section {
+        Section::Stereo => choice::ui(ui, "Cameras", &Pair::ALL, &mut inputs.pair),
+        Section::Monocular => choice::ui(ui, "Measured", &Object::ALL, &mut inputs.object),
+        _ => false,
+    };
+    if changed {
+        cx.commands.push(Command::Settle);
+    }
 }
 
 fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, key: Key, marked: bool) {

@@ -46,6 +46,10 @@ pub const NOTE_CARD_MARGIN: Margin = Margin::symmetric(12, 8);
 pub const NOTE_CARD_GAP: f32 = 6.0;
 /// Height of a correction on that card for the mouse.
 pub const NOTE_FIX_HEIGHT: f32 = 28.0;
+/// Height of one of a few choices that are all in sight, with a pointer.
+pub const CHOICE_HEIGHT: f32 = 26.0;
+/// Left and right of its text.
+pub const CHOICE_PADDING: f32 = 8.0;
 /// How long that card is open before a click can meet its corrections, s.
 pub const NOTE_CARD_DELAY: f64 = 0.3;
 /// Inside a field.

@@ -14,7 +14,7 @@ use depth_text::report;
 use depth_text::unit::Unit;
 use egui::accesskit::Role;
 use egui::text::{CCursor, CCursorRange};
-use egui::{Align, Button, Id, Key, Modifiers, Response, RichText, Sense, Stroke, TextEdit, Ui, vec2};
+use egui::{Align, Button, Id, Key, Modifiers, Response, RichText, Sense, Stroke, TextEdit, Ui, UiBuilder, vec2};
 
 /// A field of the table, with what was typed into it and what is to be said about that.
 pub struct Field<'a> {
@@ -47,7 +47,8 @@ pub fn id(key: impl Into<FieldKey>) -> Id {
 pub fn label_ui(ui: &mut Ui, key: FieldKey, helper: Option<Helper>, commands: &mut Vec<Command>) -> Response {
     let palette = theme::palette(ui);
     let height = ui.spacing().interact_size.y;
-    let line_height = if height >= theme::CONTROL_HEIGHT_TOUCH && helper.is_some() {
+    let has_helper = helper.is_some() || key.input.and_then(Helper::at).is_some_and(Helper::comes_last);
+    let line_height = if height >= theme::CONTROL_HEIGHT_TOUCH && has_helper {
         height
     } else {
         theme::LABEL_HEIGHT
@@ -57,17 +58,21 @@ pub fn label_ui(ui: &mut Ui, key: FieldKey, helper: Option<Helper>, commands: &m
         ui.spacing_mut().interact_size.y = line_height;
         let label = ui.label(RichText::new(key.name).font(theme::strong(theme::BODY_SIZE)).color(palette.text));
         if let Some(helper) = helper {
-            let open = Command::Help(Some(helper));
-            ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| {
-                let link = Button::new(RichText::new(open.text()).size(theme::SMALL_SIZE).color(palette.blue)).frame(false);
-                if ui.add(link.min_size(vec2(0.0, line_height))).clicked() {
-                    commands.push(open);
-                }
-            });
+            ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| helper_ui(ui, helper, line_height, commands));
         }
         label
     })
     .inner
+}
+
+/// The link to a helper.
+fn helper_ui(ui: &mut Ui, helper: Helper, height: f32, commands: &mut Vec<Command>) {
+    let open = Command::Help(Some(helper));
+    let color = theme::palette(ui).blue;
+    let link = Button::new(RichText::new(open.text()).size(theme::SMALL_SIZE).color(color)).frame(false);
+    if ui.add(link.min_size(vec2(0.0, height))).clicked() {
+        commands.push(open);
+    }
 }
 
 impl Field<'_> {
@@ -80,7 +85,10 @@ impl Field<'_> {
         let was_in_use = self.has_focus(ui);
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            let label = label_ui(ui, self.key, self.helper, commands);
+            let last = self.helper.filter(|helper| helper.comes_last());
+            let label_line = ui.available_rect_before_wrap();
+            let label = label_ui(ui, self.key, self.helper.filter(|_| last.is_none()), commands);
+            let label_line = label_line.with_max_y(ui.min_rect().bottom());
             ui.add_space(theme::STEP);
             let texts = ui.horizontal(|ui| {
                 ui.spacing_mut().item_spacing.x = FIELD_PARTS_GAP;
@@ -91,6 +99,15 @@ impl Field<'_> {
                 }
                 unit.is_some_and(|unit| unit.has_focus() || unit.lost_focus())
             });
+            if let Some(helper) = last {
+                let height = label_line.height();
+                let place = UiBuilder::new()
+                    .max_rect(label_line)
+                    .layout(egui::Layout::right_to_left(Align::Center));
+                let mut ui = ui.new_child(place);
+                ui.spacing_mut().interact_size.y = height;
+                helper_ui(&mut ui, helper, height, commands);
+            }
             let read_as = self.reading.and_then(report::read_as);
             NoteLine {
                 id: self.id,
@@ -199,10 +216,10 @@ impl Field<'_> {
         };
         let before = unit;
         let name = format!("Unit of {}", self.key.name);
-        let choice = typed_unit_choice_ui(ui, (self.id, "unit"), &name, self.key.kind, &mut unit);
+        let choice = typed_unit_choice_ui(ui, (self.id, "unit"), &name, &mut unit, UNIT_WIDTH);
         if unit != before {
             match unit {
-                TypedUnit::Unit(unit) => self.entry.choose_unit(self.key, unit),
+                TypedUnit::Length(unit) => self.entry.choose_unit(self.key, unit),
                 TypedUnit::Squares => {
                     self.entry.choose_squares(self.key);
                     // Their size is still to be typed.
@@ -216,15 +233,14 @@ impl Field<'_> {
 
     /// The unit that holds; `None` where there is no choice.
     fn typed_unit(&self) -> Option<TypedUnit> {
-        if self.key.kind.choices().is_empty() {
-            return None;
-        }
+        let default = self.key.kind.length_unit()?;
         let read = self.reading.and_then(|reading| reading.unit);
         let is_in_squares = matches!(read, Some(Unit::Square(_))) || self.notes.iter().any(|note| note.issue.is_size_of_squares());
         if is_in_squares {
             return Some(TypedUnit::Squares);
         }
-        read.or(self.entry.chosen_unit(self.key)).map(TypedUnit::Unit)
+        let length = read.and_then(Unit::length).or(self.entry.unit);
+        Some(TypedUnit::Length(length.unwrap_or(default)))
     }
 
     /// The unit of a field without a choice, where it has one.
@@ -233,7 +249,9 @@ impl Field<'_> {
         let size = vec2(UNIT_WIDTH, ui.spacing().interact_size.y);
         let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
         let symbol = self.key.unit_symbol();
-        if symbol.is_empty() {
+        // Another unit stands behind the number.
+        let is_another = self.reading.is_some_and(|reading| reading.unit != self.key.kind.default_unit());
+        if symbol.is_empty() || is_another {
             return;
         }
         let stroke = Stroke::new(theme::THIN_LINE, palette.line);

@@ -1,33 +1,42 @@
 //! A choice among the units of length.
 
-use crate::app::theme;
 use crate::core::quantity::LengthUnit;
-use depth_text::field::Kind;
 use depth_text::names::Named as _;
-use depth_text::unit::Unit;
 use egui::{ComboBox, Response, Ui};
 
-/// What can be chosen beside a number that is typed.
+/// What can be chosen beside a length that is typed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TypedUnit {
-    /// A unit.
-    Unit(Unit),
+    /// A unit of length.
+    Length(LengthUnit),
     /// Squares of a calibration board, whose size is part of the text.
     Squares,
 }
+
+/// The units that are offered; the smaller ones can be typed.
+const OFFERED: [LengthUnit; 8] = [
+    LengthUnit::Millimeter,
+    LengthUnit::Centimeter,
+    LengthUnit::Meter,
+    LengthUnit::Kilometer,
+    LengthUnit::Inch,
+    LengthUnit::Foot,
+    LengthUnit::Yard,
+    LengthUnit::Mile,
+];
 
 impl TypedUnit {
     /// What stands in the closed list.
     const fn symbol(self) -> &'static str {
         match self {
-            Self::Unit(unit) => unit.symbol(),
+            Self::Length(unit) => unit.symbol(),
             Self::Squares => "sq",
         }
     }
 
     fn name(self) -> String {
         match self {
-            Self::Unit(unit) => format!("{}  ({})", unit.symbol(), unit.name()),
+            Self::Length(unit) => format!("{}  ({})", unit.symbol(), unit.name()),
             Self::Squares => "sq  (squares of a calibration board)".to_owned(),
         }
     }
@@ -35,27 +44,25 @@ impl TypedUnit {
 
 /// A choice among the units of results, named `name`.
 pub fn length_unit_choice_ui(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::Debug, name: &str, unit: &mut LengthUnit, width: f32) {
-    let mut chosen = TypedUnit::Unit(Unit::Length(*unit));
-    let lengths = Kind::Length(*unit).choices().iter().map(|&choice| TypedUnit::Unit(choice));
+    let mut chosen = TypedUnit::Length(*unit);
     let combo = ComboBox::from_id_salt(id).width(width);
-    choice_ui(ui, combo, name, &mut chosen, lengths);
-    if let TypedUnit::Unit(Unit::Length(length)) = chosen {
+    choice_ui(ui, combo, name, &mut chosen, OFFERED.into_iter().map(TypedUnit::Length));
+    if let TypedUnit::Length(length) = chosen {
         *unit = length;
     }
 }
 
-/// A choice among the units that are usual for a number of this `kind`, named `name`.
+/// A choice among the units of a typed length, named `name`.
 pub fn typed_unit_choice_ui(
     ui: &mut Ui,
     id: impl std::hash::Hash + std::fmt::Debug,
     name: &str,
-    kind: Kind,
     unit: &mut TypedUnit,
+    width: f32,
 ) -> Response {
-    let squares = matches!(kind, Kind::Length(_)).then_some(TypedUnit::Squares);
-    let units = kind.choices().iter().map(|&choice| TypedUnit::Unit(choice));
-    let combo = ComboBox::from_id_salt(id).width(theme::UNIT_WIDTH);
-    choice_ui(ui, combo, name, unit, units.chain(squares))
+    let combo = ComboBox::from_id_salt(id).width(width);
+    let units = OFFERED.into_iter().map(TypedUnit::Length);
+    choice_ui(ui, combo, name, unit, units.chain([TypedUnit::Squares]))
 }
 
 fn choice_ui(ui: &mut Ui, combo: ComboBox, name: &str, unit: &mut TypedUnit, choices: impl Iterator<Item = TypedUnit>) -> Response {
