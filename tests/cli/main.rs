@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, missing_docs, reason = "tests")]
 
 mod contradictions;
+mod counted;
 mod fields;
 mod figures;
 mod floor;

@@ -126,7 +126,7 @@ fn places(program: &Program) -> BTreeMap<String, Rect> {
 
 #[test]
 fn no_note_moves_anything_in_the_form() {
-    for size in [vec2(1280.0, 1400.0), vec2(390.0, 2000.0)] {
+    for size in [vec2(1280.0, 1400.0), vec2(390.0, 2600.0)] {
         let mut program = Program::on(Machine::default(), size);
         program.press("Add uncertainty");
         let before = places(&program);

@@ -69,7 +69,7 @@ impl Named for Object {
         match self {
             Self::Width => "Width",
             Self::Height => "Height",
-            Self::Ball => "Diameter of a ball",
+            Self::Ball => "Diameter of ball",
         }
     }
 }

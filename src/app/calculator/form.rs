@@ -15,7 +15,7 @@ use depth_text::fields;
 use depth_text::form::Example;
 use depth_text::number::plain;
 use egui::accesskit::Role;
-use egui::{Button, ComboBox, RichText, Stroke, Ui, UiBuilder, vec2};
+use egui::{Button, ComboBox, Rect, RichText, Stroke, Ui, UiBuilder, vec2};
 
 /// Draws the form. With `marked`, what is missing is said at the fields too.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
@@ -39,7 +39,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
 fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
     for section in Section::FORM {
         part_ui(ui, Part::Section(section), |ui| {
-            text::card_heading_ui(ui, section.name());
+            let heading = heading_ui(ui, cx, section);
             let mut space = theme::FIRST_FIELD_SPACE;
             for key in section.keys() {
                 // Most rigs have no doffs, so the field is hidden until there is one. fy belongs to a point in space, too.
@@ -51,18 +51,38 @@ fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
                 part_ui(ui, Part::Field(key.as_str()), |ui| field_ui(ui, cx, key, marked));
                 space = theme::STEP;
             }
-            setup_ui(ui, cx, section);
+            setup_ui(ui, cx, section, heading);
         });
         ui.add_space(2.0 * theme::STEP);
     }
 }
 
-/// What is chosen in a section: how the cameras stand, what of the object is measured.
-fn setup_ui(ui: &mut Ui, cx: &mut AppContext<'_>, section: Section) {
+/// The heading of a section. Returns what is left of its line.
+fn heading_ui(ui: &mut Ui, cx: &AppContext<'_>, section: Section) -> Rect {
+    let has_choice = matches!(section, Section::Stereo | Section::Monocular);
+    let is_for_fingers = cx.layout.control_height() >= theme::CONTROL_HEIGHT_TOUCH;
+    let height = if has_choice && is_for_fingers {
+        theme::CONTROL_HEIGHT_TOUCH
+    } else {
+        theme::HEADING_HEIGHT
+    };
+    let line = vec2(ui.available_width(), height);
+    let layout = egui::Layout::left_to_right(egui::Align::Center);
+    let response = ui.allocate_ui_with_layout(line, layout, |ui| {
+        ui.set_min_height(height);
+        text::card_heading_ui(ui, section.name());
+        ui.available_rect_before_wrap()
+    });
+    response.inner.shrink2(vec2(theme::STEP, 0.0))
+}
+
+/// What is chosen in a section, how the cameras stand or what of the object is measured, in the `line` of its heading. Behind its
+/// fields in the order of the focus: whoever types five numbers in a row needs it least.
+fn setup_ui(ui: &mut Ui, cx: &mut AppContext<'_>, section: Section, line: Rect) {
     let inputs = &mut cx.session.inputs;
     let changed = match section {
-        Section::Stereo => choice::ui(ui, "Cameras", &Pair::ALL, &mut inputs.pair),
-        Section::Monocular => choice::ui(ui, "Measured", &Object::ALL, &mut inputs.object),
+        Section::Stereo => choice::ui(ui, line, "Cameras", &Pair::ALL, &mut inputs.pair),
+        Section::Monocular => choice::ui(ui, line, "Measured", &Object::ALL, &mut inputs.object),
         _ => false,
     };
     if changed {

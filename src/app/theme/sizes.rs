@@ -49,7 +49,11 @@ pub const NOTE_FIX_HEIGHT: f32 = 28.0;
 /// Height of one of a few choices that are all in sight, with a pointer.
 pub const CHOICE_HEIGHT: f32 = 26.0;
 /// Left and right of its text.
-pub const CHOICE_PADDING: f32 = 8.0;
+pub const CHOICE_PADDING: f32 = 7.0;
+/// Between two of them.
+pub const CHOICE_GAP: f32 = 2.0;
+/// Height of the heading of a section of the form.
+pub const HEADING_HEIGHT: f32 = 16.0;
 /// How long that card is open before a click can meet its corrections, s.
 pub const NOTE_CARD_DELAY: f64 = 0.3;
 /// Inside a field.

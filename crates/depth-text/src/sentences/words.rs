@@ -2,7 +2,6 @@
 
 use crate::field::Key;
 use depth_core::problem::Field;
-use std::fmt::Write as _;
 
 /// `text` with a capital first letter.
 pub fn capital(text: &str) -> String {
@@ -22,10 +21,14 @@ pub fn needs(missing: &[Key]) -> String {
     }
 }
 
-/// `text` between quotation marks, cut where it is too long to quote.
+/// `text` between quotation marks, cut where it is too long to quote. Text that runs from right to left is isolated (UAX 9): it would
+/// turn the sentence that begins with it around.
 pub fn quoted(text: &str) -> String {
     const LONGEST: usize = 24;
+    let is_right_to_left = |c: char| matches!(c, '\u{590}'..='\u{8ff}' | '\u{fb1d}'..='\u{fdff}' | '\u{fe70}'..='\u{feff}');
+    let is_isolated = text.contains(is_right_to_left);
     let mut quoted = String::from("“");
+    quoted.extend(is_isolated.then_some('\u{2068}'));
     for (count, c) in text.trim().chars().enumerate() {
         if count == LONGEST {
             quoted.push('…');
@@ -33,7 +36,8 @@ pub fn quoted(text: &str) -> String {
         }
         quoted.push(if c.is_control() { ' ' } else { c });
     }
-    let _ = quoted.write_char('”');
+    quoted.extend(is_isolated.then_some('\u{2069}'));
+    quoted.push('”');
     quoted
 }
 
@@ -49,5 +53,18 @@ pub fn percent(share: f64) -> String {
         "under 1 %".to_owned()
     } else {
         format!("{percent:.0} %")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::quoted;
+
+    #[test]
+    fn only_text_that_runs_from_right_to_left_is_isolated() {
+        assert_eq!(quoted(" far "), "“far”");
+        assert_eq!(quoted("متر ٥"), "“\u{2068}متر ٥\u{2069}”");
+        assert_eq!(quoted("מטר"), "“\u{2068}מטר\u{2069}”");
+        assert_eq!(quoted("a".repeat(30).as_str()), format!("“{}…”", "a".repeat(24)));
     }
 }
