@@ -1,8 +1,10 @@
 //! What can be typed: commands, their arguments and their help.
 
+use super::between::Between;
 use super::help;
-use super::options::{Between, Calculate, Ground, Step};
+use super::options::{Calculate, Ground};
 use super::q::Q;
+use super::step::Step;
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
 

@@ -1,17 +1,95 @@
 //! `between`: the length between two points that a stereo pair sees.
 
 use super::ascii::in_sentence;
-use super::options::{Between, name};
+use super::options::{SIGMA_DISPARITY, Typed, UNCERTAINTY, chosen, name, pair_option};
 use super::reply::Reply;
 use super::warning::Warning;
+use crate::core::setup::Pair;
 use crate::core::two_points::TwoPointsSolution;
-use depth_text::field::Section;
+use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
+use depth_text::field::{Key, Section};
+use depth_text::fields;
 use depth_text::form::Inputs;
 use depth_text::geometry::missing_for;
 use depth_text::note::{Part, Severity};
 use depth_text::report;
 use depth_text::sentences::CommandLine;
 use serde::Serialize;
+
+/// What was given to `between`.
+#[derive(Debug)]
+pub(super) struct Between {
+    fields: Typed,
+    pair: Pair,
+}
+
+/// The fields that `between` has options of their own for.
+fn between_fields() -> Vec<Key> {
+    vec![
+        fields::FOCAL_LENGTH,
+        fields::FY,
+        fields::BASELINE,
+        fields::DOFFS,
+        fields::CX,
+        fields::CY,
+    ]
+}
+
+/// The fields of the points of `between`, by their option.
+const POINTS: [(&str, [Key; 3]); 2] = [
+    ("from", [fields::FROM_COLUMN, fields::FROM_ROW, fields::FROM_DISPARITY]),
+    ("to", [fields::TO_COLUMN, fields::TO_ROW, fields::TO_DISPARITY]),
+];
+
+impl Args for Between {
+    fn augment_args(command: Command) -> Command {
+        let point = |name: &'static str, help| Arg::new(name).long(name).value_name("U,V,D").value_parser(point_parser).help(help);
+        let sigma = Arg::new(SIGMA_DISPARITY)
+            .long(SIGMA_DISPARITY)
+            .value_name("PX|%")
+            .help("1 σ of both disparities, such as 0.5")
+            .help_heading(UNCERTAINTY);
+        command.args(Typed::options(&between_fields())).args([
+            point("from", "The first point: column, row and disparity, such as 138,219,36"),
+            point("to", "The second point"),
+            pair_option(),
+            sigma,
+        ])
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for Between {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let mut typed = Typed::from(matches, &between_fields());
+        for (option, keys) in POINTS {
+            let texts = matches.get_one::<[String; 3]>(option);
+            let texts = texts.into_iter().flatten().cloned();
+            typed
+                .typed
+                .extend(keys.into_iter().zip(texts).map(|(key, text)| (key, Part::Value, text)));
+        }
+        Ok(Self {
+            fields: typed.sigma_of(matches, SIGMA_DISPARITY, &[fields::FROM_DISPARITY, fields::TO_DISPARITY]),
+            pair: chosen(matches, "pair", Pair::ALL, Pair::key).unwrap_or_default(),
+        })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+/// The three numbers of a point, between commas; between semicolons where the commas are those of the numbers.
+fn point_parser(text: &str) -> Result<[String; 3], String> {
+    let between = if text.contains(';') { ';' } else { ',' };
+    let parts: Vec<String> = text.split(between).map(|part| part.trim().to_owned()).collect();
+    parts.try_into().map_err(|_| CommandLine::NotAPoint.to_string())
+}
 
 /// Lengths in meters; null for what is unknown.
 #[derive(Serialize)]

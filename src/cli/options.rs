@@ -13,13 +13,13 @@ use depth_text::note::Part;
 use depth_text::sentences::CommandLine;
 use depth_text::style::Style;
 
-const UNCERTAINTY: &str = "Uncertainty";
+pub(super) const UNCERTAINTY: &str = "Uncertainty";
 const POINT: &str = "Point in space";
 const INVERSE: &str = "Another unknown";
 const OUTPUT: &str = "Output";
 
-const SIGMA_DISPARITY: &str = "sigma-disparity";
-const SIGMA_PX: &str = "sigma-px";
+/// The option for σ of both disparities of two points.
+pub(super) const SIGMA_DISPARITY: &str = "sigma-disparity";
 
 /// What was typed into fields by options, and how to answer.
 #[derive(Debug)]
@@ -52,19 +52,6 @@ pub(super) struct Ground {
     pub(super) fields: Typed,
 }
 
-/// What was given to `step`.
-#[derive(Debug)]
-pub(super) struct Step {
-    pub(super) fields: Typed,
-}
-
-/// What was given to `between`.
-#[derive(Debug)]
-pub(super) struct Between {
-    pub(super) fields: Typed,
-    pub(super) pair: Pair,
-}
-
 /// The fields that `calculate` has options for.
 fn calculate_fields() -> Vec<Key> {
     let form = Key::form().filter(|key| !key.section.is_some_and(Section::is_way_of_its_own));
@@ -75,23 +62,6 @@ fn calculate_fields() -> Vec<Key> {
 fn ground_fields() -> Vec<Key> {
     let camera = [fields::FOCAL_LENGTH, fields::FY, fields::CX, fields::CY].into_iter();
     camera.chain(Section::Ground.keys()).filter(|key| key.option.is_some()).collect()
-}
-
-/// The fields that `step` has options for.
-fn step_fields() -> Vec<Key> {
-    Section::TwoShots.keys().chain([fields::FOCAL_LENGTH]).collect()
-}
-
-/// The fields that `between` has options of their own for.
-fn between_fields() -> Vec<Key> {
-    vec![
-        fields::FOCAL_LENGTH,
-        fields::FY,
-        fields::BASELINE,
-        fields::DOFFS,
-        fields::CX,
-        fields::CY,
-    ]
 }
 
 /// The inputs of which one can be solved for.
@@ -147,12 +117,12 @@ pub(super) fn name(key: Key, part: Part) -> String {
 }
 
 impl Typed {
-    fn options(keys: &[Key]) -> impl Iterator<Item = Arg> {
+    pub(super) fn options(keys: &[Key]) -> impl Iterator<Item = Arg> {
         let fields = field_options(keys).into_iter().map(|(_, _, option)| option);
         fields.chain([unit_option(), json_option()])
     }
 
-    fn from(matches: &ArgMatches, keys: &[Key]) -> Self {
+    pub(super) fn from(matches: &ArgMatches, keys: &[Key]) -> Self {
         let typed = |(key, part, option): (Key, Part, Arg)| {
             let text = matches.get_one::<String>(option.get_id().as_str())?;
             Some((key, part, text.clone()))
@@ -175,7 +145,7 @@ impl Typed {
     }
 
     /// Takes the option `option` for what was typed for σ of `keys`.
-    fn sigma_of(mut self, matches: &ArgMatches, option: &str, keys: &[Key]) -> Self {
+    pub(super) fn sigma_of(mut self, matches: &ArgMatches, option: &str, keys: &[Key]) -> Self {
         if let Some(text) = matches.get_one::<String>(option) {
             self.typed.extend(keys.iter().map(|&key| (key, Part::Sigma, text.clone())));
         }
@@ -276,92 +246,7 @@ impl FromArgMatches for Ground {
     }
 }
 
-impl Args for Step {
-    fn augment_args(command: Command) -> Command {
-        let sigma = Arg::new(SIGMA_PX)
-            .long(SIGMA_PX)
-            .value_name("PX|%")
-            .help("1 σ of both widths; without any it is 1 px")
-            .help_heading(UNCERTAINTY);
-        command.args(Typed::options(&step_fields())).arg(sigma)
-    }
-
-    fn augment_args_for_update(command: Command) -> Command {
-        Self::augment_args(command)
-    }
-}
-
-impl FromArgMatches for Step {
-    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let fields = Typed::from(matches, &step_fields());
-        Ok(Self {
-            fields: fields.sigma_of(matches, SIGMA_PX, &[fields::FAR_WIDTH, fields::NEAR_WIDTH]),
-        })
-    }
-
-    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
-        *self = Self::from_arg_matches(matches)?;
-        Ok(())
-    }
-}
-
-/// The fields of the points of `between`, by their option.
-const POINTS: [(&str, [Key; 3]); 2] = [
-    ("from", [fields::FROM_COLUMN, fields::FROM_ROW, fields::FROM_DISPARITY]),
-    ("to", [fields::TO_COLUMN, fields::TO_ROW, fields::TO_DISPARITY]),
-];
-
-impl Args for Between {
-    fn augment_args(command: Command) -> Command {
-        let point = |name: &'static str, help| Arg::new(name).long(name).value_name("U,V,D").value_parser(point_parser).help(help);
-        let sigma = Arg::new(SIGMA_DISPARITY)
-            .long(SIGMA_DISPARITY)
-            .value_name("PX|%")
-            .help("1 σ of both disparities, such as 0.5")
-            .help_heading(UNCERTAINTY);
-        command.args(Typed::options(&between_fields())).args([
-            point("from", "The first point: column, row and disparity, such as 138,219,36"),
-            point("to", "The second point"),
-            pair_option(),
-            sigma,
-        ])
-    }
-
-    fn augment_args_for_update(command: Command) -> Command {
-        Self::augment_args(command)
-    }
-}
-
-impl FromArgMatches for Between {
-    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let mut typed = Typed::from(matches, &between_fields());
-        for (option, keys) in POINTS {
-            let texts = matches.get_one::<[String; 3]>(option);
-            let texts = texts.into_iter().flatten().cloned();
-            typed
-                .typed
-                .extend(keys.into_iter().zip(texts).map(|(key, text)| (key, Part::Value, text)));
-        }
-        Ok(Self {
-            fields: typed.sigma_of(matches, SIGMA_DISPARITY, &[fields::FROM_DISPARITY, fields::TO_DISPARITY]),
-            pair: chosen(matches, "pair", Pair::ALL, Pair::key).unwrap_or_default(),
-        })
-    }
-
-    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
-        *self = Self::from_arg_matches(matches)?;
-        Ok(())
-    }
-}
-
-/// The three numbers of a point, between commas; between semicolons where the commas are those of the numbers.
-fn point_parser(text: &str) -> Result<[String; 3], String> {
-    let between = if text.contains(';') { ';' } else { ',' };
-    let parts: Vec<String> = text.split(between).map(|part| part.trim().to_owned()).collect();
-    parts.try_into().map_err(|_| CommandLine::NotAPoint.to_string())
-}
-
-fn pair_option() -> Arg {
+pub(super) fn pair_option() -> Arg {
     choice("pair", Pair::ALL.map(Pair::key), Pair::default().key())
         .help("How the cameras stand: side by side, or one above the other, where the disparity is counted in rows and goes with --fy")
 }
@@ -376,7 +261,7 @@ fn choice<const N: usize>(option: &'static str, names: [&'static str; N], usual:
 }
 
 /// What was chosen by `option`; `None` where nothing was.
-fn chosen<T: Copy, const N: usize>(matches: &ArgMatches, option: &str, all: [T; N], key: fn(T) -> &'static str) -> Option<T> {
+pub(super) fn chosen<T: Copy, const N: usize>(matches: &ArgMatches, option: &str, all: [T; N], key: fn(T) -> &'static str) -> Option<T> {
     if matches.value_source(option) != Some(ValueSource::CommandLine) {
         return None;
     }

@@ -1,16 +1,60 @@
 //! `step`: how far away something of unknown size is, from two photographs and the step between them.
 
 use super::ascii::in_sentence;
-use super::options::{Step, name};
+use super::options::{Typed, UNCERTAINTY, name};
 use super::reply::Reply;
 use super::warning::Warning;
-use depth_text::field::Section;
+use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
+use depth_text::field::{Key, Section};
+use depth_text::fields;
 use depth_text::form::Inputs;
 use depth_text::geometry::{TwoShots, missing_for};
 use depth_text::note::{Part, Severity};
 use depth_text::report;
 use depth_text::sentences::{CommandLine, Statement};
 use serde::Serialize;
+
+const SIGMA_PX: &str = "sigma-px";
+
+/// What was given to `step`.
+#[derive(Debug)]
+pub(super) struct Step {
+    fields: Typed,
+}
+
+/// The fields that `step` has options for.
+fn step_fields() -> Vec<Key> {
+    Section::TwoShots.keys().chain([fields::FOCAL_LENGTH]).collect()
+}
+
+impl Args for Step {
+    fn augment_args(command: Command) -> Command {
+        let sigma = Arg::new(SIGMA_PX)
+            .long(SIGMA_PX)
+            .value_name("PX|%")
+            .help("1 σ of both widths; without any it is 1 px")
+            .help_heading(UNCERTAINTY);
+        command.args(Typed::options(&step_fields())).arg(sigma)
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for Step {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let fields = Typed::from(matches, &step_fields());
+        Ok(Self {
+            fields: fields.sigma_of(matches, SIGMA_PX, &[fields::FAR_WIDTH, fields::NEAR_WIDTH]),
+        })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
 
 /// Lengths in meters; null for what is unknown.
 #[derive(Serialize)]

@@ -109,7 +109,11 @@ fn heights_balls_and_pairs_one_above_the_other() {
     for f in ["--fx 768.4", "--fy 768.4", "--fx 700 --fy 768.4"] {
         near(&distance(&format!("{f} {pair}"), "stereo"), 0.9605, 1e-9);
     }
-    near(&distance("--fx 1000 --w-img 408.2 --w-real 0.2 --object ball", "monocular"), 0.5, 1e-4);
+    near(
+        &distance("--fx 1000 --w-img 408.2 --w-real 0.2 --object ball", "monocular"),
+        0.5,
+        1e-4,
+    );
 }
 
 #[test]
@@ -117,7 +121,11 @@ fn a_near_lens_is_added_where_fx_came_from_it() {
     let object = "--fx 937.5 --w-img 350 --w-real 100mm";
     near(&distance(object, "monocular"), 0.267_857, 1e-6);
     near(&distance(&format!("{object} --lens 15mm"), "monocular"), 0.282_857, 1e-6);
-    near(&distance("--fx 4000 --lens 16mm --baseline 20mm --disparity 400", "stereo"), 0.216, 1e-9);
+    near(
+        &distance("--fx 4000 --lens 16mm --baseline 20mm --disparity 400", "stereo"),
+        0.216,
+        1e-9,
+    );
     let (lines, _) = text(&format!("calculate {object} --lens 15mm"));
     assert!(lines.iter().any(|line| line.contains("of the lens")), "{lines:?}");
     // It is nothing to speak of where it is less than 1 %.

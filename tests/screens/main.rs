@@ -11,6 +11,7 @@
 )]
 
 mod about;
+mod counted;
 mod form;
 mod geometry;
 mod helpers;

@@ -15,6 +15,7 @@ mod model;
 pub mod monocular;
 pub mod monte_carlo;
 pub mod problem;
+mod projected;
 pub mod q_matrix;
 pub mod quantity;
 pub mod setup;

@@ -9,7 +9,11 @@ use egui::{Align, Button, Layout, Rect, RichText, Ui, UiBuilder, vec2};
 pub fn ui<T: Copy + PartialEq + Named>(ui: &mut Ui, line: Rect, group: &str, all: &[T], chosen: &mut T) -> bool {
     let before = *chosen;
     let is_for_fingers = ui.spacing().interact_size.y >= theme::CONTROL_HEIGHT_TOUCH;
-    let height = if is_for_fingers { theme::CONTROL_HEIGHT_TOUCH } else { theme::CHOICE_HEIGHT };
+    let height = if is_for_fingers {
+        theme::CONTROL_HEIGHT_TOUCH
+    } else {
+        theme::CHOICE_HEIGHT
+    };
     let line = Rect::from_center_size(line.center(), vec2(line.width(), height));
     let place = UiBuilder::new()
         .id_salt(group)

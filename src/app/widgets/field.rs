@@ -58,7 +58,9 @@ pub fn label_ui(ui: &mut Ui, key: FieldKey, helper: Option<Helper>, commands: &m
         ui.spacing_mut().interact_size.y = line_height;
         let label = ui.label(RichText::new(key.name).font(theme::strong(theme::BODY_SIZE)).color(palette.text));
         if let Some(helper) = helper {
-            ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| helper_ui(ui, helper, line_height, commands));
+            ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| {
+                helper_ui(ui, helper, line_height, commands)
+            });
         }
         label
     })

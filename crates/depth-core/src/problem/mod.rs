@@ -1,6 +1,7 @@
 //! [`Problem`] (what is known) to [`Solution`] (everything that follows from it). Every screen, the command line, links and
 //! reports go through this one step, so that they cannot disagree.
 
+mod check;
 mod inputs;
 mod inverse;
 mod solution;

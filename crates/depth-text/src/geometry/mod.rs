@@ -1,8 +1,11 @@
 //! The point in space that a pixel shows, and the ways to a distance of their own: the ground plane, two photographs, two points.
 
+mod camera;
 mod two;
 
-pub use two::missing_for;
+pub use two::{TwoShots, missing_for};
+
+use camera::{Camera, refused};
 
 use crate::field::Key;
 use crate::fields::{
@@ -14,13 +17,11 @@ use crate::reading::{Reading, with_opposite_sign};
 use depth_core::agreement::Comparison;
 use depth_core::angle::Angle;
 use depth_core::camera::{Along, BelowAxis, GroundSolution, GroundView, PointSolution, PointView, RightOfAxis};
-use depth_core::in_image::InImage;
-use depth_core::judge::{Refusal, Term, Unsolvable};
+use depth_core::judge::{Term, Unsolvable};
 use depth_core::measured::Measured;
 use depth_core::problem::{Method, Origin, Solution};
-use depth_core::quantity::{Length, Pixels, Quantity};
+use depth_core::quantity::Length;
 use depth_core::two_points::TwoPointsSolution;
-use depth_core::two_shots::TwoShotsSolution;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 
 /// The point in space and the ground plane.
@@ -36,15 +37,6 @@ pub struct Geometry {
     pub two_shots: Option<TwoShots>,
     /// What two points say; `None` while something is missing.
     pub two_points: Option<TwoPointsSolution>,
-}
-
-/// What two photographs say.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TwoShots {
-    /// The distances, counted from where all are, and the width.
-    pub solution: TwoShotsSolution,
-    /// Whether its σ is that of one pixel in each width, as none was typed: there is always one to be seen.
-    pub is_one_pixel_each: bool,
 }
 
 /// Where the distance of a point is from.
@@ -89,42 +81,6 @@ const LARGEST_TURN: f64 = FRAC_PI_6;
 
 /// The σ of a ground distance, as a part of the slant, and of a range as a part of it, from which on it says little.
 const LARGEST_SIGMA: f64 = 0.3;
-
-/// What was read, and what follows from it.
-struct Camera<'a> {
-    readings: &'a [&'a Reading],
-    solution: &'a Solution,
-    given: Option<(Method, Measured<Length>)>,
-}
-
-impl Camera<'_> {
-    fn reading(&self, key: Key) -> Option<&Reading> {
-        self.readings.iter().copied().find(|reading| reading.key == key)
-    }
-
-    fn pixels(&self, key: Key) -> Option<Pixels> {
-        self.reading(key).map(|reading| Pixels::new(reading.value))
-    }
-
-    fn measured<Q: Quantity>(&self, key: Key) -> Option<Measured<Q>> {
-        self.reading(key)
-            .map(|reading| Measured::from_base(reading.value, reading.sigma.unwrap_or(0.0)))
-    }
-
-    fn fx(&self) -> Option<Measured<Pixels>> {
-        self.solution.problem.focal_length?.px()
-    }
-
-    /// fy with the relative σ of fx.
-    fn fy_with_sigma(&self) -> Option<Measured<Pixels>> {
-        let fy = self.fy()?.px();
-        Some(Measured::from_base(fy, fy * self.fx().map_or(0.0, Measured::relative)))
-    }
-
-    fn fy(&self) -> Option<Pixels> {
-        self.solution.problem.fy.and_then(InImage::px).or(self.fx()).map(|fy| fy.value)
-    }
-}
 
 fn point(camera: &Camera<'_>) -> Result<Option<(PointOrigin, PointSolution)>, Note> {
     let Some((origin, view)) = point_view(camera) else {
@@ -207,24 +163,6 @@ fn key_of(camera: &Camera<'_>, term: Term) -> Key {
         Term::Input(_) => FOCAL_LENGTH,
         Term::FarWidth | Term::NearWidth | Term::Step | Term::CameraHeight | Term::Distance => CAMERA_HEIGHT,
     }
-}
-
-/// What is wrong with the value of `key`.
-fn refused(camera: &Camera<'_>, key: Key, error: Unsolvable) -> Note {
-    let issue = match error {
-        Unsolvable::Value {
-            refusal: Refusal::Zero, ..
-        } => Issue::Zero { key },
-        Unsolvable::Value {
-            refusal: Refusal::Negative,
-            ..
-        } => Issue::Negative { key },
-        _ => Issue::TooExtreme {
-            key,
-            text: camera.reading(key).map_or_else(String::new, |reading| reading.number_text.clone()),
-        },
-    };
-    Note::error(key, issue)
 }
 
 /// A warning where a range by tape and the distance that was computed cannot both be right.

@@ -1,6 +1,6 @@
 //! Two photographs and the step between them, and the length between two points.
 
-use super::{Camera, TwoShots, refused};
+use super::camera::{Camera, refused};
 use crate::field::{Key, Section};
 use crate::fields::{
     BASELINE, CX, CY, DISPARITY, DOFFS, FAR_WIDTH, FOCAL_LENGTH, FROM_COLUMN, FROM_DISPARITY, FROM_ROW, FY, NEAR_WIDTH, STEP, TO_COLUMN,
@@ -14,6 +14,15 @@ use depth_core::problem::Method;
 use depth_core::quantity::{Length, Pixels};
 use depth_core::two_points::{StereoPoint, TwoPoints, TwoPointsSolution};
 use depth_core::two_shots::{TwoShots as Shots, TwoShotsSolution};
+
+/// What two photographs say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TwoShots {
+    /// The distances, counted from where all are, and the width.
+    pub solution: TwoShotsSolution,
+    /// Whether its σ is that of one pixel in each width, as none was typed: there is always one to be seen.
+    pub is_one_pixel_each: bool,
+}
 
 pub(super) fn shots(camera: &Camera<'_>) -> Result<Option<TwoShots>, Note> {
     let widths = (

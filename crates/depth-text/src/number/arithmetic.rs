@@ -1,6 +1,7 @@
 //! What people type instead of working it out: a product, a quotient, a whole number with a fraction, a power of ten.
 
-use super::read::{NumberError, factor};
+use super::decimal;
+use super::typed::NumberError;
 
 /// The value of a text without a unit, and whether it was worked out.
 ///
@@ -23,14 +24,14 @@ pub(super) fn value(text: &str) -> Result<(f64, bool), NumberError> {
     }
     factors.push((divides, rest.trim()));
     match factors.as_slice() {
-        [(_, one)] => return factor(one).map(|value| (value, false)),
+        [(_, one)] => return decimal::value(one).map(|value| (value, false)),
         // A power of ten is how a number is written, not worked out.
         [(_, digits), (false, power)] if power_of_ten(power).is_some() => {
             let exponent = power_of_ten(power).unwrap_or_default();
             let has_exponent = digits.contains(['e', 'E']);
-            factor(digits)?;
+            decimal::value(digits)?;
             if !has_exponent {
-                return factor(&format!("{digits}e{exponent}")).map(|value| (value, false));
+                return decimal::value(&format!("{digits}e{exponent}")).map(|value| (value, false));
             }
         }
         _ => {}
@@ -38,9 +39,9 @@ pub(super) fn value(text: &str) -> Result<(f64, bool), NumberError> {
     let mut value = 1.0;
     for (divides, text) in factors {
         let number = match power_of_ten(text) {
-            Some(exponent) => factor(&format!("1e{exponent}"))?,
+            Some(exponent) => decimal::value(&format!("1e{exponent}"))?,
             // What could mean several numbers is not worked with.
-            None => factor(text).map_err(|error| match error {
+            None => decimal::value(text).map_err(|error| match error {
                 NumberError::Ambiguous { .. } => NumberError::Ambiguous { readings: Vec::new() },
                 other => other,
             })?,

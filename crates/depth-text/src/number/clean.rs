@@ -1,6 +1,6 @@
 //! What people's keyboards and logs put around a number, taken away before it is parsed.
 
-use super::read::LONGEST;
+use super::typed::LONGEST;
 use std::borrow::Cow;
 
 /// `text` with digits of other scripts, fractions in one sign and narrow spaces between groups of digits as ASCII has them.

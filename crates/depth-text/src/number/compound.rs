@@ -1,7 +1,7 @@
 //! Several units in one number: 5'11", 5 ft 11 in, 1° 30′.
 
 use super::arithmetic;
-use super::read::{Primes, Typed};
+use super::typed::{Primes, Typed};
 use crate::unit::Unit;
 
 /// A text of at least two numbers, each with a smaller unit of the same kind behind it, as one number of the first unit; `None` for

@@ -3,11 +3,16 @@
 mod arithmetic;
 mod clean;
 mod compound;
+mod decimal;
 mod read;
+mod split;
+mod typed;
 mod write;
 
 pub(crate) use clean::{normalized, without_name};
-pub(crate) use read::{LONGEST, words_after_squares};
-pub use read::{NumberError, Primes, Typed, read};
+pub use read::read;
+pub(crate) use read::words_after_squares;
+pub(crate) use typed::LONGEST;
+pub use typed::{NumberError, Primes, Typed};
 pub(crate) use write::power;
 pub use write::{NO_NUMBER, Notation, TYPED_DIGITS, exact, magnitude, plain, rounded_to, significant, with_minus};

@@ -4,22 +4,22 @@
 use crate::assess::{Assessment, Unknown};
 use crate::field::Key;
 use crate::fields;
-use crate::geometry::PointOrigin;
 use crate::names::{self, Named};
 use crate::note::Issue;
-use crate::number::{significant, with_minus};
+use crate::number::Notation;
 use crate::reading::Reading;
 use crate::sentences::{Statement, needs, percent, short_name};
 use crate::style::Style;
 use crate::unit::Unit;
 use depth_core::angle::AngleUnit;
-use depth_core::camera::{GroundSolution, PointSolution};
 use depth_core::in_image::InImage;
 use depth_core::measured::Measured;
-use depth_core::problem::{Method, Origin, Solution, Solved, Uncertainty};
+use depth_core::problem::{Method, Solution, Solved, Uncertainty};
 use depth_core::quantity::{Length, LengthUnit};
-use depth_core::two_points::TwoPointsSolution;
-use depth_core::two_shots::TwoShotsSolution;
+
+mod places;
+
+pub use places::{ALONG_FLOOR, BETWEEN_POINTS, DEPTH_OF_RANGE, FROM_FIRST_PLACE, ground, point, point_origin, two_points, two_shots};
 
 pub use crate::style::{DIGITS, NO_UPPER_BOUND, WithSigma};
 
@@ -87,7 +87,7 @@ pub fn remarks(assessment: &Assessment, method: Method) -> Vec<Statement> {
 pub fn read_as(reading: &Reading) -> Option<String> {
     if reading.is_computed {
         let unit = reading.unit;
-        let number = significant(reading.number, 6);
+        let number = Notation::SHORT.plain(reading.number, 6);
         return Some(format!("= {}", unit.map_or_else(|| number.clone(), |unit| unit.behind(&number))));
     }
     (reading.unit == Some(Unit::Angle(AngleUnit::NatoMil))).then(|| Statement::NatoMil.to_string())
@@ -242,88 +242,6 @@ pub fn agreement(assessment: &Assessment) -> Vec<String> {
     let suspects = assessment.suspects();
     let statements = agreement.into_iter().chain(suspects.iter().map(Statement::suspect));
     statements.map(|statement| statement.to_string()).collect()
-}
-
-/// The point in space, a name and a value each, in `unit`.
-pub fn point(style: Style, point: &PointSolution, unit: LengthUnit) -> [(&'static str, String); 4] {
-    [
-        ("X, to the right", style.measured(point.x, unit)),
-        ("Y, down", style.measured(point.y, unit)),
-        ("Z, depth along the axis", style.measured(point.z, unit)),
-        ("R, range from the lens", style.measured(point.range, unit)),
-    ]
-}
-
-/// Where the distance of a point is from: "from the combined distance".
-pub const fn point_origin(origin: PointOrigin) -> &'static str {
-    match origin {
-        PointOrigin::Distance(Origin::Combined) => "from the combined distance",
-        PointOrigin::Distance(Origin::Method(Method::Stereo)) => "from the stereo distance",
-        PointOrigin::Distance(Origin::Method(Method::Monocular)) => "from the monocular distance",
-        PointOrigin::Given(_) => "from the distance that was given",
-        PointOrigin::Range => "from the range",
-    }
-}
-
-/// What a depth is called that a range by tape gives.
-pub const DEPTH_OF_RANGE: &str = "depth along the axis, from the range";
-
-/// What two photographs say, a name and a value each, in `unit`.
-pub fn two_shots(style: Style, shots: &TwoShotsSolution, unit: LengthUnit) -> Vec<(&'static str, String)> {
-    let size = shots.size.map(|size| ("Width of the object", style.measured(size, unit)));
-    let distances = [
-        (FROM_FIRST_PLACE, style.measured(shots.far, unit)),
-        ("From the second place", style.measured(shots.near, unit)),
-    ];
-    distances.into_iter().chain(size).collect()
-}
-
-/// The name of the distance from where the first of two photographs was taken.
-pub const FROM_FIRST_PLACE: &str = "From the first place";
-
-/// What two points say, a name and a value each, in `unit`.
-pub fn two_points(style: Style, points: &TwoPointsSolution, unit: LengthUnit) -> [(&'static str, String); 4] {
-    let signed = |length: Length| with_minus(&style.length(Some(length), unit));
-    [
-        (BETWEEN_POINTS, style.measured(points.distance, unit)),
-        ("To the right", signed(points.dx)),
-        ("Down", signed(points.dy)),
-        ("Farther away", with_minus(&style.measured(points.dz, unit))),
-    ]
-}
-
-/// The name of the length between two points.
-pub const BETWEEN_POINTS: &str = "Between the points";
-
-/// The name of the distance on the floor.
-pub const ALONG_FLOOR: &str = "Along the floor";
-
-/// The point on the floor, a name and a value each, in `unit`.
-pub fn ground(style: Style, ground: &GroundSolution, unit: LengthUnit) -> Vec<(&'static str, String)> {
-    let ahead = if ground.ahead.value.m() < 0.0 {
-        let behind = Measured::from_base(-ground.ahead.value.m(), ground.ahead.sigma.m());
-        ("Straight behind", behind)
-    } else {
-        ("Straight ahead", ground.ahead)
-    };
-    let right = ground.right.map(|right| {
-        if right.value.m() < 0.0 {
-            ("To the left", Measured::from_base(-right.value.m(), right.sigma.m()))
-        } else {
-            ("To the right", right)
-        }
-    });
-    let lines = [
-        Some(ahead),
-        right,
-        Some((ALONG_FLOOR, ground.distance)),
-        Some(("Slant, from the lens", ground.slant)),
-    ];
-    lines
-        .into_iter()
-        .flatten()
-        .map(|(name, value)| (name, style.measured(value, unit)))
-        .collect()
 }
 
 /// What was solved for with its uncertainty, a length in `unit`: "100.0 ± 1.2 mm"; `None` where something is lacking.
