@@ -200,11 +200,20 @@ impl Calculate {
         if [fields::FOCAL_LENGTH, fields::FX_LENS, fields::FY].contains(&key) && all_by_angle {
             return Some(CommandLine::UnusedBesideAngle);
         }
+        if key == fields::FX_LENS && matches!(problem.focal_length, Some(InImage::OnSensor(_))) {
+            return Some(CommandLine::UnusedLens);
+        }
         (key == fields::FY && none_in_rows).then_some(CommandLine::UnusedFy)
     }
 
     fn why_unused(&self, assessment: &Assessment, key: Key, part: Part) -> Option<CommandLine> {
-        if self.solve_for == Some(key) {
+        let is_also_solved_for = key == fields::FY
+            && self.solve_for == Some(fields::FOCAL_LENGTH)
+            && assessment
+                .unknown
+                .as_ref()
+                .is_some_and(|unknown| assessment.solution.problem.needs_fy(unknown.method));
+        if self.solve_for == Some(key) || is_also_solved_for {
             return Some(CommandLine::UnusedUnknown);
         }
         if key == fields::DISTANCE && self.solve_for.is_none() {
@@ -219,6 +228,9 @@ impl Calculate {
             return Some(idle);
         }
         if key.section == Some(Section::Point) && key.input.is_none() && assessment.geometry.point.is_none() {
+            if matches!(assessment.solution.problem.focal_length, Some(InImage::OnSensor(_))) {
+                return Some(CommandLine::UnusedBesideLengths);
+            }
             let options = self.missing_for_point();
             return Some(CommandLine::UnusedPoint { options });
         }

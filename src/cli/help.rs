@@ -11,12 +11,12 @@ Units:
   \"1 1/8 in\", 5'11\"), or squares of a calibration board (\"1.695
   squares of 23.6 mm\"). Bare, --baseline, --lens and --zero are in mm,
   the others in m. An angle may carry deg, arcmin, arcsec, rad, mrad, MOA
-  or mil (6400 to the circle); bare it is in degrees. --w-img and
-  --disparity may be angles, which need no --fx, or with --fx lengths on
-  the sensor. 1/3 and 2*50 are computed. An uncertainty is
-  one standard deviation: with a unit, in percent (1%), or bare in the
-  unit of its value; \"700 ± 2 px\" is both. A raw value of OpenCV's
-  StereoBM or StereoSGBM is 16 times the disparity: divide it.
+  or mil (6400 to the circle); bare, --tilt is in degrees. --w-img and
+  --disparity may be angles, which need no --fx; with --fx as a length
+  they may be lengths on the sensor. 1/3 and 2*50 are computed. An
+  uncertainty is one standard deviation: with a unit, in percent (1%),
+  or bare in the unit of its value; \"700 ± 2 px\" is both. A raw value of
+  OpenCV's StereoBM or StereoSGBM is 16 times the disparity: divide it.
 
 Answer:
   The first line starts with the distance; with both methods and their

@@ -195,8 +195,9 @@ impl Args for Calculate {
             .value_parser(unknown_parser())
             .help("Solve for this input instead of the distance, which --distance then gives")
             .help_heading(INVERSE);
-        let object = choice("object", Object::ALL.map(Object::key), Object::default().key())
-            .help("What of the object --w-img and --w-real are: heights go with --fy, a ball is wider than it looks where it is near");
+        let object = choice("object", Object::ALL.map(Object::key), Object::default().key()).help(
+            "What of the object --w-img and --w-real are: heights go with --fy, a ball in the middle of the image counts to its center",
+        );
         command
             .args(Typed::options(&calculate_fields()))
             .args([object, pair_option(), solve_for])
@@ -248,7 +249,7 @@ impl FromArgMatches for Ground {
 
 pub(super) fn pair_option() -> Arg {
     choice("pair", Pair::ALL.map(Pair::key), Pair::default().key())
-        .help("How the cameras stand: side by side, or one above the other, where the disparity is counted in rows and goes with --fy")
+        .help("How the cameras stand: side by side, or one above the other: the disparity is then the row in the upper image minus that in the lower one, and goes with --fy")
 }
 
 /// An option with one of `names`, of which `usual` is meant without it.
@@ -290,11 +291,11 @@ fn json_option() -> Arg {
 /// Reads the symbol of a unit of length.
 pub(super) fn unit_parser() -> impl TypedValueParser<Value = LengthUnit> {
     let value = |unit: LengthUnit| match unit {
-        LengthUnit::Micrometer => PossibleValue::new(unit.symbol()).alias("um"),
+        LengthUnit::Micrometer => PossibleValue::new(unit.symbol()).aliases(["um", "μm"]),
         _ => PossibleValue::new(unit.symbol()),
     };
     PossibleValuesParser::new(LengthUnit::ALL.map(value)).try_map(|symbol| {
-        let symbol = if symbol == "um" {
+        let symbol = if ["um", "μm"].contains(&symbol.as_str()) {
             LengthUnit::Micrometer.symbol().to_owned()
         } else {
             symbol

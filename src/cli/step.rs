@@ -90,8 +90,13 @@ impl Step {
             let options = missing.into_iter().map(|key| name(key, Part::Value)).collect();
             return Err(CommandLine::NoWay { options }.to_string());
         };
-        let warnings: Vec<Warning> = assessment.notes.iter().map(Warning::of).collect();
+        let mut warnings: Vec<Warning> = assessment.notes.iter().map(Warning::of).collect();
         if self.fields.json {
+            warnings.extend(
+                shots
+                    .is_one_pixel_each
+                    .then(|| Warning::of_option(SIGMA_PX, &Statement::OnePixelEach)),
+            );
             return json(shots, &warnings);
         }
         let lines = report::two_shots(self.fields.style(), &shots.solution, self.fields.unit);

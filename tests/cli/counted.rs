@@ -71,6 +71,54 @@ fn what_a_log_prints_fills_value_sigma_and_unit() {
 }
 
 #[test]
+fn a_bare_sigma_behind_several_units_has_the_last_of_them() {
+    let answer = answer_to(&["--fx", "1000", "--w-img", "100", "--w-real", "5'11\" ± 1"]);
+    near(&answer["inputs"]["w-real"]["sigma"], 0.0254, 1e-12);
+    let answer = answer_to(&["--w-img", "1°30′ ± 1", "--w-real", "1"]);
+    near(&answer["inputs"]["w-img"]["sigma"], (1.0_f64 / 60.0).to_radians(), 1e-12);
+}
+
+#[test]
+fn fy_has_a_sigma_of_its_own_and_else_that_of_fx() {
+    let person = "--object height --w-img 100 --w-real 1.8";
+    near(
+        &json(&format!("--fy 853 --sigma-fy 1% {person}"))["monocular"]["sigma_m"],
+        0.153_54,
+        1e-6,
+    );
+    near(
+        &json(&format!("--fx 600 --sigma-fx 1% --fy 853 {person}"))["monocular"]["sigma_m"],
+        0.153_54,
+        1e-6,
+    );
+    near(
+        &json(&format!("--fx 600 --sigma-fx 5% --fy 853 --sigma-fy 1% {person}"))["monocular"]["sigma_m"],
+        0.153_54,
+        1e-6,
+    );
+}
+
+#[test]
+fn the_name_of_another_quantity_is_not_taken_for_this_one() {
+    for (option, value, other) in [
+        ("--fx", "cx = 640 px", "cx"),
+        ("--disparity", "doffs = 131", "doffs"),
+        ("--baseline", "fx: 100", "the focal length"),
+        ("--disparity", "D = 1.4", "the distance"),
+    ] {
+        let refusal = super::refused_words(&["calculate", option, value]);
+        assert!(
+            refusal.contains(option) && refusal.contains(&format!("This is {other}")),
+            "{refusal}"
+        );
+    }
+    for (option, value) in [("--fx", "Fx = 700"), ("--fx", "K[0][0] = 700"), ("--fx", "focal length: 700")] {
+        let answer = answer_to(&[option, value, "--baseline", "b = 100", "--disparity", "d = 50"]);
+        near(&answer["stereo"]["distance_m"], 1.4, 1e-12);
+    }
+}
+
+#[test]
 fn an_angle_takes_the_place_of_pixels_and_focal_length() {
     for (angle, sigma, meters, by_sigma) in [
         ("0.75mrad", "0.05mrad", 338.667, 22.58),
@@ -173,6 +221,13 @@ fn two_photographs_and_a_step() {
     assert!(shots["size_m"].is_null());
     let shots = answer("step --far-px 1162 --near-px 1429 --step 419.1mm --fx 3000");
     near(&shots["size_m"], 0.868_807, 1e-6);
+    assert_eq!(shots["warnings"][0]["field"], "sigma-px");
+    let exact = answer("step --far-px 100 --near-px 120 --step 1 --sigma-px 0");
+    near(&exact["sigma_m"], 0.0, 1e-15);
+    // Both widths are measured in the same way.
+    let one = answer("step --far-px 100 --near-px 120 --step 1 --sigma-far-px 2");
+    let both = answer("step --far-px 100 --near-px 120 --step 1 --sigma-px 2");
+    assert_eq!(one["sigma_m"], both["sigma_m"]);
     // One pixel each, where none is given.
     near(&shots["sigma_m"], 0.0325 / 3.0, 1e-4);
     assert!(refused("step --far-px 1429 --near-px 1162 --step 1").contains("swapped"));

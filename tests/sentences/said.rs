@@ -208,6 +208,8 @@ pub fn assert_complete(variants: &BTreeSet<String>, command_line: &str) {
         CommandLine::UnusedChoice { method: Method::Stereo },
         CommandLine::UnusedBesideAngle,
         CommandLine::UnusedFy,
+        CommandLine::UnusedLens,
+        CommandLine::UnusedBesideLengths,
         CommandLine::NotAPoint,
         CommandLine::WhichEquation,
         CommandLine::NoWay {

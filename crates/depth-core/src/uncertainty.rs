@@ -80,7 +80,8 @@ impl Model {
     ///
     /// Z·(1 ± √(rk² + rx² − rk²·rx²))/(1 − rx²) with rk the relative σ of f·L (rk² = σ_f²/f² + σ_L²/L²) and rx that of the
     /// divisor. There is no upper bound once rx ≥ 1: the divisor may then be 0. The near end is 0 once rk ≥ 1. With rk = 0
-    /// it is the interval of the distances at x + σ and x − σ. Of a ball that of a disk as wide, each end then taken to the center.
+    /// it is the interval of the distances at x + σ and x − σ. Of a ball that of a disk as wide, each end then taken to the center; of
+    /// an angle with the rx of either side, so that with rk = 0 it is that at α + σ and α − σ.
     ///
     /// ```
     /// # use depth_core::measured::Measured;
@@ -99,18 +100,18 @@ impl Model {
     pub fn interval(&self) -> Interval {
         let depth = self.facing_depth().m();
         let rk = root_sum_of_squares(&[self.focal_length().relative(), self.length().1.relative()]);
-        let rx = self.relative_divisor_sigma();
+        let [nearer, farther] = self.relative_divisor_ends();
         // (1 − s)·(1 + s) = (1 − rk²)·(1 − rx²) turns the two roots into forms in which nothing cancels.
         let near = if rk < 1.0 {
             let rest = (1.0 - rk) * (1.0 + rk);
-            depth * (rest / (1.0 + root_sum_of_squares(&[rk, rx * rest.sqrt()])))
+            depth * (rest / (1.0 + root_sum_of_squares(&[rk, nearer * rest.sqrt()])))
         } else {
             0.0
         };
-        let far = (rx < 1.0)
+        let far = (farther < 1.0)
             .then(|| {
-                let rest = (1.0 - rx) * (1.0 + rx);
-                depth * ((1.0 + root_sum_of_squares(&[rx, rk * rest.sqrt()])) / rest)
+                let rest = (1.0 - farther) * (1.0 + farther);
+                depth * ((1.0 + root_sum_of_squares(&[farther, rk * rest.sqrt()])) / rest)
             })
             .filter(|far| far.is_finite());
         let counted = |facing: f64| {

@@ -60,6 +60,24 @@ fn an_angle_and_a_size_need_no_focal_length() {
     assert_near(stereo_of(&eyes), 446.9, 0.1);
 }
 
+/// The ends of the interval are the distances at α + σ and α − σ, however wide the angle.
+#[test]
+fn the_interval_of_a_wide_angle_is_exact() {
+    for (degrees, sigma, near, far) in [
+        (60.0, 6.0, 0.3080, 0.3925),
+        (100.0, 10.0, 0.1400, 0.2000),
+        (150.0, 7.5, 0.0398, 0.0679),
+        (175.0, 8.75, 0.0, 0.02414),
+    ] {
+        let wide = by_angle(Field::ImageWidth, degrees, sigma, AngleUnit::Degree, (Field::RealWidth, 0.4));
+        let interval = wide.solve().monocular_uncertainty.unwrap().interval;
+        assert_near(interval.near.m(), near, 1e-4);
+        assert_near(interval.far.unwrap().m(), far, 1e-4);
+    }
+    let vague = by_angle(Field::ImageWidth, 1.0, 2.0, AngleUnit::Degree, (Field::RealWidth, 0.4));
+    assert_eq!(vague.solve().monocular_uncertainty.unwrap().interval.far, None);
+}
+
 #[test]
 fn every_unit_of_angle_is_a_part_of_the_circle() {
     for (unit, of_circle) in [

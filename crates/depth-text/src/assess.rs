@@ -219,7 +219,7 @@ impl Inputs {
             if !self.counts_sigma(key) {
                 continue;
             }
-            let unit = reading.map_or_else(|| self.entry(key).chosen_unit(key), |reading| reading.unit);
+            let unit = reading.map_or_else(|| self.entry(key).chosen_unit(key), |reading| reading.sigma_unit);
             // A σ in % is of a value that can be used; of doffs that was left out, of zero.
             let value = match key.input {
                 Some(_) if key == fields::DOFFS && self.entry(key).is_blank() => Some(0.0),
@@ -278,7 +278,7 @@ impl Inputs {
             return None;
         }
         let sigma = if self.counts_sigma(key) {
-            reading::read_sigma(key, entry, reading.unit, Some(reading.value))
+            reading::read_sigma(key, entry, reading.sigma_unit, Some(reading.value))
         } else {
             Ok(None)
         };
@@ -358,7 +358,7 @@ impl Inputs {
             Method::Monocular => (fields::IMAGE_WIDTH, self.object == Object::Height),
         };
         let reading = reading::read(extent, self.entry(extent)).ok().flatten();
-        let by_angle = reading.is_some_and(|reading| matches!(reading.unit, Some(Unit::Angle(_))));
+        let by_angle = !self.is_solved_for(extent) && reading.is_some_and(|reading| matches!(reading.unit, Some(Unit::Angle(_))));
         self.lacks(field) && !by_angle && (!in_rows || self.lacks(Field::Fy))
     }
 

@@ -90,7 +90,7 @@ table! {
         input: Some(Field::FocalLength), section: Some(Section::Camera),
         option: option(
             "fx",
-            "Focal length in pixels of the image that the other pixels are counted in; or as a length, beside lengths on the sensor",
+            "Focal length in pixels of the image that the other pixels are counted in",
             "1 σ of the focal length, such as 2 or 0.3%",
         ),
         ..INPUT
@@ -116,8 +116,9 @@ table! {
         option: option(
             "fy",
             "Focal length along the columns, for heights, vertical pairs and points; without it, fx",
-            "",
+            "1 σ of fy; without it, that of fx",
         ),
+        has_sigma: true,
         ..BLANK
     };
     /// b, a length

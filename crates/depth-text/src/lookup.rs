@@ -17,6 +17,21 @@ impl Key {
         fields::TABLE.iter().copied().filter(|key| key.section.is_some())
     }
 
+    /// Another field that is called `name`, as a log or a calibration file has it in front of its value; `None` where this one is too.
+    pub(crate) fn another_named(self, name: &str) -> Option<Self> {
+        let is_called = |key: &Self| {
+            let noun = key.noun.trim_start_matches("the ");
+            // D is a distance, d a disparity.
+            let is_word = name.len() > 1;
+            let words = [key.key, key.name, noun].into_iter();
+            name == key.symbol || words.filter(|_| is_word).any(|word| word.eq_ignore_ascii_case(name))
+        };
+        if name.is_empty() || is_called(&self) {
+            return None;
+        }
+        Self::form().chain([fields::DISTANCE]).find(is_called)
+    }
+
     fn position(self) -> usize {
         fields::TABLE.iter().position(|&key| key == self).unwrap_or(usize::MAX)
     }

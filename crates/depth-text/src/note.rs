@@ -135,6 +135,8 @@ variants! {
         TwoReadings { text: String, many: String, few: String },
         /// A length where pixels are counted.
         LengthForPixels { key: Key, text: String, unit: Unit },
+        /// A value with the name of another field in front of it.
+        OtherName { key: Key, other: Key },
         /// Pixels beside a focal length or extents that are lengths on the sensor.
         PixelsBesideLengths { key: Key },
         /// doffs, which is in pixels, beside a disparity that is not.
@@ -143,6 +145,10 @@ variants! {
         ExtentTooWide { key: Key },
         /// Distances are counted from a place that is as far away as the object.
         BehindZero,
+        /// A distance that was given and ends at the lens, inside the object, or before it begins.
+        TooNear { key: Key },
+        /// A ball that is not in the middle of the image.
+        BallOffAxis,
         /// A focal length solved for, which an angle does not need.
         AngleHasNoFocalLength,
         /// A tilt of a ball.

@@ -35,6 +35,9 @@ pub(crate) fn mixed_units(readings: &[Reading], unknown: Option<Key>) -> Vec<Not
     let extents = [fields::DISPARITY, fields::IMAGE_WIDTH];
     let (fx, fy) = (fields::FOCAL_LENGTH, fields::FY);
     let f_is_unknown = unknown == Some(fx);
+    let is_angle = |key: Key| of(key).is_some_and(|reading| matches!(reading.unit, Some(Unit::Angle(_))));
+    // Beside angles alone a focal length has nothing to go with.
+    let is_idle = extents.into_iter().any(is_angle) && !extents.into_iter().any(is_px);
     let any_length = extents
         .into_iter()
         .any(|key| is_length(key) || (unknown == Some(key) && !is_px(key)));
@@ -56,7 +59,8 @@ pub(crate) fn mixed_units(readings: &[Reading], unknown: Option<Key>) -> Vec<Not
             .map(|key| Note::error(key, Issue::PixelsBesideLengths { key }))
             .collect()
     } else {
-        with_lengths.filter(|&key| is_length(key)).filter_map(length_for_pixels).collect()
+        let in_use = with_lengths.filter(|key| extents.contains(key) || !is_idle);
+        in_use.filter(|&key| is_length(key)).filter_map(length_for_pixels).collect()
     }
 }
 
@@ -90,7 +94,14 @@ pub(crate) fn judge(problem: &mut Problem, key: Key, entry: &Entry, reading: Opt
         let text = entry.text.trim().to_owned();
         return Some(Note::warning(key, Issue::NoMatchUsed { text }));
     }
-    (!is_free && !problem.is_usual(field)).then(|| unusual(key, field, reading))
+    // What is usual of a length is so for cameras that count pixels.
+    let extent = match field {
+        Field::Baseline => problem.disparity,
+        Field::RealWidth => problem.image_width,
+        _ => None,
+    };
+    let is_of_pixels = extent.is_none_or(|extent| extent.px().is_some());
+    (!is_free && is_of_pixels && !problem.is_usual(field)).then(|| unusual(key, field, reading))
 }
 
 /// Makes the methods that need an optional field useless where it cannot be read: without it they would be plausible and wrong.
@@ -145,7 +156,11 @@ pub(crate) fn solve_for(method: Method, field: Field, problem: &Problem, distanc
         Err(Unsolvable::Value {
             refusal: Refusal::BehindZero,
             ..
-        }) => Err(Issue::BehindZero),
+        }) => Err(Issue::TooNear { key: fields::DISTANCE }),
+        Err(Unsolvable::Value {
+            refusal: Refusal::OtherUnit,
+            ..
+        }) => Err(Issue::DoffsInPixels),
         Err(_) => Err(Issue::NoSolution),
     }
 }

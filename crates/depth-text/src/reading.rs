@@ -24,12 +24,16 @@ pub struct Reading {
     pub unit: Option<Unit>,
     /// That unit as it was typed behind the number; empty where it was not.
     pub unit_text: String,
+    /// The unit of a bare σ: of several units the last.
+    pub sigma_unit: Option<Unit>,
     /// Whether that unit was typed, now or before the field was left.
     pub unit_was_typed: bool,
     /// The value in the base unit: pixels, meters, radians, or the number itself.
     pub value: f64,
     /// σ in the base unit, where one was typed and can be used.
     pub sigma: Option<f64>,
+    /// Whether a σ was typed, be it 0.
+    pub sigma_was_typed: bool,
 }
 
 impl Reading {
@@ -80,6 +84,9 @@ pub fn read(key: Key, entry: &Entry) -> Result<Option<Reading>, Note> {
     if !key.has_sigma && text != entry.text {
         return Err(Note::error(key, Issue::NoSigma { key }));
     }
+    if let Some(other) = number::name(&text).and_then(|name| key.another_named(name)) {
+        return Err(Note::error(key, Issue::OtherName { key, other }));
+    }
     let typed = number::read(&text, key.kind.primes()).map_err(|error| unreadable(key, entry, error))?;
     let unit = match typed.unit {
         None => entry.chosen_unit(key),
@@ -106,10 +113,12 @@ pub fn read(key: Key, entry: &Entry) -> Result<Option<Reading>, Note> {
         },
         is_computed: typed.is_computed,
         unit,
+        sigma_unit: typed.last_unit.or(unit),
         unit_text: typed.unit_text,
         unit_was_typed: typed.unit.is_some() || entry.unit_was_typed,
         value,
         sigma: None,
+        sigma_was_typed: !entry.sigma_text().is_empty(),
     }))
 }
 
@@ -163,7 +172,9 @@ pub fn read_sigma(key: Key, entry: &Entry, unit: Option<Unit>, value: Option<f64
 /// What is wrong with either.
 pub fn read_with_sigma(key: Key, entry: &Entry) -> Result<Option<Reading>, Note> {
     let reading = read(key, entry)?;
-    let unit = reading.as_ref().map_or_else(|| entry.chosen_unit(key), |reading| reading.unit);
+    let unit = reading
+        .as_ref()
+        .map_or_else(|| entry.chosen_unit(key), |reading| reading.sigma_unit);
     let sigma = read_sigma(key, entry, unit, reading.as_ref().map(|reading| reading.value))?;
     Ok(reading.map(|reading| Reading { sigma, ..reading }))
 }

@@ -79,7 +79,7 @@ mod tests {
             ("-3", 1, "-3"),
             ("4 kg", 1, "4 kg"),
             ("4 mrad", 1, "5 mrad"),
-            ("20°", 1, "21"),
+            ("20°", 1, "21°"),
             ("1/3", 1, "1/3"),
         ] {
             assert_eq!(stepped(text, steps), expected, "{text:?} by {steps}");

@@ -142,10 +142,12 @@ impl Style {
     /// `value` with as many decimals as show two digits of `sigma`, and at least two digits of its own. Where the value is not written
     /// out, neither is σ: both have its power of ten.
     pub fn with_sigma(self, value: f64, sigma: f64) -> WithSigma {
-        let exponent = if self.notation.writes_out(value) || value == 0.0 {
+        // A σ that is longer than the value has the same power of ten, too.
+        let is_written_out = |number: f64| number.abs() < 1.0 || self.notation.writes_out(number);
+        let exponent = if (self.notation.writes_out(value) || value == 0.0) && is_written_out(sigma) {
             0
         } else {
-            magnitude(value)
+            magnitude(value).max(magnitude(sigma))
         };
         let scale = 10.0_f64.powi(exponent);
         // A power of ten beyond the range of numbers is taken away in two steps.

@@ -125,7 +125,7 @@ fn products_quotients_and_fractions_are_worked_out() {
         let typed = read(text, FeetAndInches).unwrap_or_else(|error| panic!("{text:?}: {error:?}"));
         assert_eq!((typed.number, typed.unit, typed.is_computed), (value, unit, true), "{text:?}");
     }
-    for text in ["1/0", "0/0", "1e300*1e300"] {
+    for text in ["1/0", "1 1/0", "0/0", "1e300*1e300"] {
         assert_eq!(read(text, FeetAndInches), Err(NumberError::TooExtreme), "{text:?}");
     }
     for text in [
@@ -174,6 +174,7 @@ fn several_units_make_one_number() {
         ("5′ 11″", FeetAndInches, 1.8034, LengthUnit::Foot.into()),
         ("5'11", FeetAndInches, 1.8034, LengthUnit::Foot.into()),
         ("5 ft 11 in", FeetAndInches, 1.8034, LengthUnit::Foot.into()),
+        ("5 ft 11", FeetAndInches, 1.8034, LengthUnit::Foot.into()),
         ("6′ 2″", FeetAndInches, 1.8796, LengthUnit::Foot.into()),
         ("5' 11 1/2\"", FeetAndInches, 1.8161, LengthUnit::Foot.into()),
         ("1 m 80 cm", FeetAndInches, 1.8, LengthUnit::Meter.into()),
@@ -187,7 +188,18 @@ fn several_units_make_one_number() {
             "{text:?}: {typed:?}"
         );
     }
-    for text in ["5 in 3 ft", "5 ft -3 in", "5 ft 3 px", "5 ft 3°", "5 ft 3", "1'000", "5 px 3 px"] {
+    for text in [
+        "5 in 3 ft",
+        "5 ft -3 in",
+        "5 ft 3 px",
+        "5 ft 3°",
+        "5'13\"",
+        "1'500 mm",
+        "1’200 mm",
+        "2'540,5 mm",
+        "1'000",
+        "5 px 3 px",
+    ] {
         assert!(read(text, FeetAndInches).is_err(), "{text:?} gave {:?}", read(text, FeetAndInches));
     }
 }
@@ -198,6 +210,7 @@ fn what_a_log_prints_around_a_number_is_taken_away() {
         ("fx = 718.856 px", 718.856, Some(Unit::Pixel)),
         ("700 [px]", 700.0, Some(Unit::Pixel)),
         ("700 (px)", 700.0, Some(Unit::Pixel)),
+        ("[700 px]", 700.0, Some(Unit::Pixel)),
         ("\"fx\": 718.856,", 718.856, None),
         ("K[0][0]: 721.5", 721.5, None),
         ("δ = −3", -3.0, None),

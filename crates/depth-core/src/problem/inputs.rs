@@ -273,8 +273,8 @@ impl Problem {
         Some(Pixels::new(self.disparity?.px()?.value.px() + self.offset().value.px()))
     }
 
-    /// The focal length that the extents of `method` belong to: fy for a height and for a vertical pair, with the relative σ of fx, as
-    /// they scale together; else fx.
+    /// The focal length that the extents of `method` belong to: fy for a height and for a vertical pair, where it has no σ with
+    /// that of fx, as they scale together; else fx.
     ///
     /// ```
     /// # use depth_core::problem::{Field, Method, Problem};
@@ -291,7 +291,12 @@ impl Problem {
             return self.focal_length;
         }
         let Some(fy) = self.fy else { return self.focal_length };
-        let relative = self.focal_length.map_or(0.0, InImage::relative);
+        let own = fy.relative();
+        let relative = if own > 0.0 {
+            own
+        } else {
+            self.focal_length.map_or(0.0, InImage::relative)
+        };
         let value = fy.to_base().value;
         Some(fy.with_base(Measured::new(value, value * relative)))
     }

@@ -84,6 +84,13 @@ impl Problem {
                 None => return Ok(None),
             }
         };
+        // The offset of the principal points is in pixels.
+        if field == Field::Doffs && (!in_pixels || self.disparity.is_some_and(|disparity| disparity.px().is_none())) {
+            return Err(Unsolvable::Value {
+                term: Term::Input(Field::Doffs),
+                refusal: Refusal::OtherUnit,
+            });
+        }
         let from_center = distance.value.m() - self.counted_from(in_pixels).m();
         judge::value(Term::Distance, judge::positive(from_center).map_err(|_| Refusal::BehindZero))?;
         let mut given = Given {
@@ -195,7 +202,11 @@ impl Given {
             (_, Some(length), _, _) => monocular::depth_of_disk(center, length.value),
             _ => Some(center),
         };
-        let disk = disk.ok_or(Unsolvable::too_extreme(Term::Distance))?;
+        let inside = Unsolvable::Value {
+            term: Term::Distance,
+            refusal: Refusal::BehindZero,
+        };
+        let disk = disk.ok_or(inside)?;
         let steeper = (center.m() / disk.m()).powi(2);
         let scaled = |measured: Measured<f64>, times: f64| Measured::new(measured.value, measured.sigma * times);
         if field == Field::RealWidth {

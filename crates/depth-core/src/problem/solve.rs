@@ -232,8 +232,9 @@ impl Problem {
     /// The input of `method` with the largest σ for its value.
     fn least_certain(&self, method: Method) -> Field {
         let relative = |field: Field| {
+            let effective = self.effective_disparity().map(Pixels::px);
             let value = match field {
-                Field::Disparity | Field::Doffs => self.effective_disparity().map(Pixels::px),
+                Field::Disparity | Field::Doffs => effective.or(self.get(Field::Disparity)),
                 _ => self.get(field),
             };
             value.map_or(0.0, |value| Measured::new(value, self.sigma(field)).relative())

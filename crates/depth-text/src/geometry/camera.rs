@@ -9,6 +9,9 @@ use depth_core::measured::Measured;
 use depth_core::problem::{Method, Solution};
 use depth_core::quantity::{Length, Pixels, Quantity};
 
+/// The σ of a distance, as a part of it, from which on it says little; of a ground distance as a part of the slant.
+pub(super) const LARGEST_SIGMA: f64 = 0.3;
+
 /// What was read, and what follows from it.
 pub(super) struct Camera<'a> {
     pub(super) readings: &'a [&'a Reading],
@@ -37,7 +40,13 @@ impl Camera<'_> {
     /// fy with the relative σ of fx.
     pub(super) fn fy_with_sigma(&self) -> Option<Measured<Pixels>> {
         let fy = self.fy()?.px();
-        Some(Measured::from_base(fy, fy * self.fx().map_or(0.0, Measured::relative)))
+        let own = self.solution.problem.fy.map_or(0.0, InImage::relative);
+        let relative = if own > 0.0 {
+            own
+        } else {
+            self.fx().map_or(0.0, Measured::relative)
+        };
+        Some(Measured::from_base(fy, fy * relative))
     }
 
     pub(super) fn fy(&self) -> Option<Pixels> {

@@ -5,7 +5,7 @@ mod two;
 
 pub use two::{TwoShots, missing_for};
 
-use camera::{Camera, refused};
+use camera::{Camera, LARGEST_SIGMA, refused};
 
 use crate::field::Key;
 use crate::fields::{
@@ -21,6 +21,7 @@ use depth_core::judge::{Term, Unsolvable};
 use depth_core::measured::Measured;
 use depth_core::problem::{Method, Origin, Solution};
 use depth_core::quantity::Length;
+use depth_core::setup::Object;
 use depth_core::two_points::TwoPointsSolution;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 
@@ -65,6 +66,8 @@ impl Geometry {
         let facing = solution.problem.distance_if_facing().filter(|_| has_distance);
         let two_shots = two::shots(&camera).map_err(|note| notes.push(note)).ok().flatten();
         let two_points = two::points(&camera).map_err(|note| notes.push(note)).ok().flatten();
+        notes.extend(two::vague(two_shots.as_ref(), two_points.as_ref()));
+        notes.extend(point.and_then(|(_, point)| ball_off_axis(solution, &point)));
         let geometry = Self {
             point,
             ground,
@@ -78,9 +81,6 @@ impl Geometry {
 
 /// How far beyond straight up or down a camera may be turned, rad: a gimbal that swings through. Farther is no pitch.
 const LARGEST_TURN: f64 = FRAC_PI_6;
-
-/// The σ of a ground distance, as a part of the slant, and of a range as a part of it, from which on it says little.
-const LARGEST_SIGMA: f64 = 0.3;
 
 fn point(camera: &Camera<'_>) -> Result<Option<(PointOrigin, PointSolution)>, Note> {
     let Some((origin, view)) = point_view(camera) else {
@@ -124,6 +124,10 @@ fn point_note(camera: &Camera<'_>, origin: PointOrigin, error: Unsolvable) -> No
         let key = if term == Term::Distance { TAPED_RANGE } else { FOCAL_LENGTH };
         return Note::of_sigma(key, Issue::SigmaOutOfProportion { key });
     }
+    let problem = &camera.solution.problem;
+    if error.term() == Some(Term::Distance) && origin == PointOrigin::Range && (problem.zero.is_some() || problem.lens.is_some()) {
+        return Note::error(TAPED_RANGE, Issue::TooNear { key: TAPED_RANGE });
+    }
     let key = match error.term() {
         Some(Term::PrincipalPoint) => CX,
         Some(Term::Column) => PIXEL_COLUMN,
@@ -134,6 +138,16 @@ fn point_note(camera: &Camera<'_>, origin: PointOrigin, error: Unsolvable) -> No
     };
     refused(camera, key, error)
 }
+
+/// A warning where a ball is so far from the middle of the image that its outline is no circle to speak of.
+fn ball_off_axis(solution: &Solution, point: &PointSolution) -> Option<Note> {
+    let is_ball = solution.problem.object == Object::Ball && solution.monocular.distance().is_some();
+    let aside = point.x.value.m().hypot(point.y.value.m());
+    (is_ball && aside > LARGEST_SLOPE * point.z.value.m()).then(|| Note::warning(PIXEL_COLUMN, Issue::BallOffAxis))
+}
+
+/// The slope of the ray to a ball from which on its outline is wider by 1 %: at an angle θ from the axis it is by about 1/cos θ − 1.
+const LARGEST_SLOPE: f64 = 0.1;
 
 /// A warning where the σ of the depth of a range is so large that it says little, at the field that has most of it.
 fn vague_range(camera: &Camera<'_>, depth: Measured<Length>) -> Option<Note> {

@@ -1,6 +1,6 @@
 //! Two photographs and the step between them, and the length between two points.
 
-use super::camera::{Camera, refused};
+use super::camera::{Camera, LARGEST_SIGMA, refused};
 use crate::field::{Key, Section};
 use crate::fields::{
     BASELINE, CX, CY, DISPARITY, DOFFS, FAR_WIDTH, FOCAL_LENGTH, FROM_COLUMN, FROM_DISPARITY, FROM_ROW, FY, NEAR_WIDTH, STEP, TO_COLUMN,
@@ -33,11 +33,24 @@ pub(super) fn shots(camera: &Camera<'_>) -> Result<Option<TwoShots>, Note> {
     let (Some(mut far_width), Some(mut near_width), Some(step)) = widths else {
         return Ok(None);
     };
-    let is_one_pixel_each = far_width.sigma.px() == 0.0 && near_width.sigma.px() == 0.0;
-    if is_one_pixel_each {
-        far_width.sigma = Pixels::new(1.0);
-        near_width.sigma = Pixels::new(1.0);
-    }
+    let was_typed = |key| camera.reading(key).is_some_and(|reading| reading.sigma_was_typed);
+    let is_one_pixel_each = match (was_typed(FAR_WIDTH), was_typed(NEAR_WIDTH)) {
+        (true, true) => false,
+        // Both are measured in the same way.
+        (true, false) => {
+            near_width.sigma = far_width.sigma;
+            false
+        }
+        (false, true) => {
+            far_width.sigma = near_width.sigma;
+            false
+        }
+        (false, false) => {
+            far_width.sigma = Pixels::new(1.0);
+            near_width.sigma = Pixels::new(1.0);
+            true
+        }
+    };
     let shots = Shots {
         far_width,
         near_width,
@@ -122,6 +135,16 @@ fn points_note(camera: &Camera<'_>, view: &TwoPoints, error: Unsolvable) -> Note
         Unsolvable::Sigma { .. } => Note::of_sigma(key, Issue::SigmaOutOfProportion { key }),
         _ => refused(camera, key, error),
     }
+}
+
+/// A warning where the σ of what two photographs or two points say is so large that it says little.
+pub(super) fn vague(shots: Option<&TwoShots>, points: Option<&TwoPointsSolution>) -> impl Iterator<Item = Note> {
+    let is_vague = |length: Measured<Length>| length.relative() > LARGEST_SIGMA;
+    let shots = shots.filter(|shots| is_vague(shots.solution.far));
+    let points = points.filter(|points| is_vague(points.distance));
+    let of_shots = shots.map(|_| Note::warning(NEAR_WIDTH, Issue::Vague { of: "distances" }));
+    let of_points = points.map(|_| Note::warning(FROM_DISPARITY, Issue::Vague { of: "length" }));
+    of_shots.into_iter().chain(of_points)
 }
 
 /// The fields that a way of its own to a distance still needs, in reading order; none where nothing of it was typed.

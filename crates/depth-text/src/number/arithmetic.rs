@@ -90,5 +90,5 @@ fn mixed(text: &str) -> Option<f64> {
     };
     let (whole, numerator, denominator) = (number(whole)?, number(numerator)?, number(denominator)?);
     let value = whole + numerator / denominator;
-    (numerator < denominator).then_some(if negative { -value } else { value })
+    (numerator < denominator || denominator == 0.0).then_some(if negative { -value } else { value })
 }

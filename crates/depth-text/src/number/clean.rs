@@ -69,14 +69,25 @@ pub fn without_name(text: &str) -> &str {
     };
     let behind = |sign| text.split_once(sign).filter(|(name, _)| is_name(name));
     match behind('=').or_else(|| behind(':')) {
-        Some((_, value)) if !value.trim().is_empty() => value.trim().trim_end_matches([',', ';']).trim_end(),
-        _ => text,
+        Some((_, value)) if !value.trim().is_empty() => without_brackets(value.trim().trim_end_matches([',', ';']).trim_end()),
+        _ => without_brackets(text),
     }
+}
+
+/// The name in front of a value: "fx" of "fx = 718.856 px".
+pub fn name(text: &str) -> Option<&str> {
+    if text.len() > LONGEST {
+        return None;
+    }
+    let value = without_name(text);
+    let name = text.trim().strip_suffix(value)?.trim_end();
+    let name = name.strip_suffix(['=', ':'])?.trim();
+    Some(name.trim_matches(['"', '\'']))
 }
 
 const LONGEST_NAME: usize = 40;
 
-/// A unit without the brackets that logs and tables put around it: "px" of "[px]".
+/// A unit without the brackets that logs and tables put around it: `px` of `[px]`.
 pub fn without_brackets(unit: &str) -> &str {
     let inside = |open, close| unit.strip_prefix(open).and_then(|rest: &str| rest.strip_suffix(close));
     inside('[', ']').or_else(|| inside('(', ')')).map_or(unit, str::trim)

@@ -3,6 +3,8 @@
 use super::arithmetic;
 use super::typed::{Primes, Typed};
 use crate::unit::Unit;
+use depth_core::angle::AngleUnit;
+use depth_core::quantity::LengthUnit;
 
 /// A text of at least two numbers, each with a smaller unit of the same kind behind it, as one number of the first unit; `None` for
 /// any other text. A last number of one or two digits may do without the unit behind feet in primes: 5'11.
@@ -24,8 +26,14 @@ pub(super) fn read(text: &str, primes: Primes) -> Option<Typed> {
         };
         match parts.last() {
             Some((_, before)) => {
+                // Between groups of digits an apostrophe is no prime: 1'500 mm.
+                if is_apostrophe(first_unit_text) && parts.len() == 1 && !is_prime_or_inch(unit_text.trim(), unit) {
+                    return None;
+                }
                 let is_smaller = unit.base() == before.base() && unit.to_base(1.0) < before.to_base(1.0) && unit != Unit::Pixel;
-                if !is_smaller || number < 0.0 || number_text.trim().starts_with('+') {
+                // 5'13" is no way to write a length.
+                let fits = unit.to_base(number) < before.to_base(1.0);
+                if !is_smaller || !fits || number < 0.0 || number_text.trim().starts_with('+') {
                     return None;
                 }
             }
@@ -45,14 +53,25 @@ pub(super) fn read(text: &str, primes: Primes) -> Option<Typed> {
         number_text: text.to_owned(),
         unit: Some(*unit),
         unit_text: String::new(),
+        last_unit: parts.last().map(|(_, unit)| *unit),
         is_computed: true,
     })
+}
+
+/// Whether feet or minutes were marked by a sign that stands between groups of digits too.
+fn is_apostrophe(unit: &str) -> bool {
+    matches!(unit, "'" | "’")
+}
+
+/// Whether a unit behind an apostrophe makes that a prime: inches, a double prime, or nothing.
+fn is_prime_or_inch(word: &str, unit: Unit) -> bool {
+    word.is_empty() || unit == Unit::Length(LengthUnit::Inch) || unit == Unit::Angle(AngleUnit::Arcsecond)
 }
 
 /// Whether a number behind feet stands for inches without saying so: one or two digits, no group of three.
 fn is_inches(number_text: &str, feet: &str) -> bool {
     let digits = number_text.trim();
-    matches!(feet, "'" | "′" | "’") && digits.len() <= 2 && digits.bytes().all(|digit| digit.is_ascii_digit())
+    matches!(feet, "'" | "′" | "’" | "ft" | "feet" | "foot") && digits.len() <= 2 && digits.bytes().all(|digit| digit.is_ascii_digit())
 }
 
 /// The length of the number at the beginning of `text`, a fraction and the spaces around it included.

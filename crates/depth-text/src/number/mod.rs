@@ -9,7 +9,7 @@ mod split;
 mod typed;
 mod write;
 
-pub(crate) use clean::{normalized, without_name};
+pub(crate) use clean::{name, normalized, without_name};
 pub use read::read;
 pub(crate) use read::words_after_squares;
 pub(crate) use typed::LONGEST;

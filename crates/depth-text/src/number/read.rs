@@ -44,6 +44,7 @@ pub fn read(text: &str, primes: Primes) -> Result<Typed, NumberError> {
         number_text: number_text.to_owned(),
         unit,
         unit_text: unit_text.to_owned(),
+        last_unit: unit,
         is_computed,
     })
 }

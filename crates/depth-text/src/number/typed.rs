@@ -13,6 +13,8 @@ pub struct Typed {
     pub unit: Option<Unit>,
     /// The unit as it was typed; empty where there is none or where it is in the number's text.
     pub unit_text: String,
+    /// The unit of a bare number behind it, such as a σ: of several units the last.
+    pub last_unit: Option<Unit>,
     /// Whether it was worked out: a product, a quotient, a fraction, several units.
     pub is_computed: bool,
 }
@@ -32,7 +34,7 @@ pub enum NumberError {
     /// There is no number in it.
     NotANumber,
     /// It could mean several numbers, or is grouped in a way that has to be confirmed. Each reading is a text that
-    /// [`read`] takes without asking again; there may be none.
+    /// [`read`](super::read) takes without asking again; there may be none.
     Ambiguous {
         /// What it may have meant.
         readings: Vec<String>,

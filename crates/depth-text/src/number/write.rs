@@ -35,6 +35,7 @@ impl Notation {
 
     /// In a terminal, where no unit was asked for.
     pub const TERMINAL: Self = Self {
+        smallest: 1e-4,
         largest: Self::SHORT.largest,
         ..Self::LONG
     };

@@ -42,6 +42,10 @@ variants! {
         UnusedBesideAngle,
         /// fy where nothing is counted in rows.
         UnusedFy,
+        /// The lens of an fx that is a length.
+        UnusedLens,
+        /// A pixel beside lengths on the sensor.
+        UnusedBesideLengths,
         /// A point that is not three numbers.
         NotAPoint,
         /// The focal length is solved for, and both equations have it.
@@ -92,6 +96,8 @@ impl Display for CommandLine {
                 f.write_str("Not used: it belongs to the monocular distance, which needs --w-img and --w-real.")
             }
             Self::UnusedBesideAngle => f.write_str("Not used: an angle needs no focal length."),
+            Self::UnusedLens => f.write_str("Not used: as a length --fx is the principal distance, which has the focus in it."),
+            Self::UnusedBesideLengths => f.write_str("Not used: a point in space needs --fx in pixels."),
             Self::UnusedFy => f.write_str("Not used: it belongs to rows, those of --object height, of --pair vertical or of a point."),
             Self::NotAPoint => f.write_str("a point is its column, its row and its disparity with commas between, such as 138,219,36"),
             Self::NoKnownDistance => f.write_str("With --solve-for the distance is an input: give it with --distance."),

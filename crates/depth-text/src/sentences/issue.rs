@@ -42,6 +42,13 @@ impl Display for Issue {
                 key.noun,
                 pixels_instead(*key, *unit)
             ),
+            Self::OtherName { key, other } => write!(f, "This is {}, but {} is asked for here. Type it without the name if it is right.", other.noun, key.noun),
+            Self::TooNear { key } => write!(
+                f,
+                "{} is too short: it would end at the lens or inside the object. Check it, the lens and the zero point.",
+                capital(key.noun)
+            ),
+            Self::BallOffAxis => f.write_str("The outline of a ball away from the middle of the image is an ellipse, and its center is not where it seems: the distance is too short."),
             Self::PixelsBesideLengths { key } => write!(
                 f,
                 "Lengths on the sensor and pixels do not go together: type {} as a length too, or the others in pixels.",
@@ -50,7 +57,7 @@ impl Display for Issue {
             Self::DoffsInPixels => f.write_str("doffs is in pixels, and so must the disparity be. Leave doffs out, or type the disparity in pixels."),
             Self::ExtentTooWide { key } => write!(f, "Nothing in a picture spans 180° or more. Type a smaller angle for {}.", key.noun),
             Self::BehindZero => f.write_str("The tape would start beyond the object: no distance is left. Check the zero point, and its sign."),
-            Self::AngleHasNoFocalLength => f.write_str("An angle needs no focal length, so none follows from it. Type the width in the image in pixels."),
+            Self::AngleHasNoFocalLength => f.write_str("An angle needs no focal length, so none follows from it. Type it in pixels instead."),
             Self::BallHasNoTilt => f.write_str("A ball looks the same from every side: the tilt is not used."),
             Self::NotNearer => f.write_str("The second photograph must show the object larger than the first. Are the two swapped?"),
             Self::NoBaseline => f.write_str("At this angle nothing of the baseline is left. Type one above 0° and below 180°."),
@@ -68,7 +75,7 @@ impl Display for Issue {
                 "A disparity of zero means that the object is infinitely far away. Type a disparity above 0 px.",
             ),
             Self::NegativeDisparity => f.write_str(
-                "A negative disparity usually means that the left and the right image are swapped. Swap them, or type it without the minus.",
+                "A negative disparity usually means that the left and the right image are swapped, or the upper and the lower one. Swap them, or type it without the minus.",
             ),
             Self::DisparityWithDoffs => f.write_str(
                 "Disparity and doffs together must be above zero: at zero the object is infinitely far away, below zero left and right may be swapped. Check the sign of doffs.",
@@ -242,7 +249,11 @@ fn pixels_instead(key: Key, unit: Unit) -> String {
     match key.kind {
         Kind::FocalLength => format!(
             "Divide the focal length in {0} by the width of one pixel in {0}. Or type the disparity or the width in the image as a length on the sensor too.",
-            unit.symbol()
+            if unit == Unit::Length(LengthUnit::Inch) {
+                "inches"
+            } else {
+                unit.symbol()
+            }
         ),
         Kind::Extent => "Type how many pixels it is in the image, or the focal length as a length too.".to_owned(),
         _ => "Type how many pixels it is in the image.".to_owned(),
@@ -262,7 +273,7 @@ fn usual(key: Key) -> String {
             .to_owned();
     }
     let length = |meters: f64| {
-        let unit = match meters {
+        let unit = match meters.abs() {
             ..0.01 => LengthUnit::Millimeter,
             ..1.0 => LengthUnit::Centimeter,
             _ => LengthUnit::Meter,

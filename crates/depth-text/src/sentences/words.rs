@@ -26,7 +26,7 @@ pub fn needs(missing: &[Key]) -> String {
 pub fn quoted(text: &str) -> String {
     const LONGEST: usize = 24;
     let is_right_to_left = |c: char| matches!(c, '\u{590}'..='\u{8ff}' | '\u{fb1d}'..='\u{fdff}' | '\u{fe70}'..='\u{feff}');
-    let is_isolated = text.contains(is_right_to_left);
+    let is_isolated = text.trim().chars().take(LONGEST).any(is_right_to_left);
     let mut quoted = String::from("“");
     quoted.extend(is_isolated.then_some('\u{2068}'));
     for (count, c) in text.trim().chars().enumerate() {
@@ -34,7 +34,9 @@ pub fn quoted(text: &str) -> String {
             quoted.push('…');
             break;
         }
-        quoted.push(if c.is_control() { ' ' } else { c });
+        // Nor does what is quoted turn anything around.
+        let turns = matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+        quoted.push(if c.is_control() || turns { ' ' } else { c });
     }
     quoted.extend(is_isolated.then_some('\u{2069}'));
     quoted.push('”');
