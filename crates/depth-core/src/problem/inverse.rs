@@ -61,62 +61,25 @@ impl Problem {
     /// Source: as [`StereoEquation::solve`] and [`MonocularEquation::solve`]; of a ball as
     /// [`monocular::depth_of_disk`] and [`monocular::diameter`].
     pub fn solve_for(&self, method: Method, field: Field, distance: Measured<Length>) -> Result<Option<Solved>, Unsolvable> {
-        let asked_for = if field == Field::FocalLength {
-            self.extent(method)
-        } else {
-            self.focal_length_of(method)
+        let Some([focal_length, extent]) = self.in_image(method, field)? else {
+            return Ok(None);
         };
-        // An angle has no focal length, and what is counted in pixels or lengths needs one.
-        if field == Field::FocalLength && matches!(asked_for, Some(InImage::Angle(_))) {
-            return Err(Unsolvable::NotOneUnknown);
-        }
-        let extent_is_unknown = [Field::Disparity, Field::ImageWidth, Field::Doffs].contains(&field);
-        let in_pixels = match (self.focal_length_of(method), self.extent(method)) {
-            (Some(focal_length), _) if extent_is_unknown => focal_length.px().is_some(),
-            (_, Some(extent)) => extent.px().is_some(),
-            _ => true,
-        };
-        let projected = if extent_is_unknown && field != Field::Doffs || field == Field::FocalLength {
-            None
-        } else {
-            match self.projected(method) {
-                Some(projected) => Some(projected?),
-                None => return Ok(None),
-            }
-        };
-        // The offset of the principal points is in pixels.
-        if field == Field::Doffs && (!in_pixels || self.disparity.is_some_and(|disparity| disparity.px().is_none())) {
-            return Err(Unsolvable::Value {
-                term: Term::Input(Field::Doffs),
-                refusal: Refusal::OtherUnit,
-            });
-        }
+        let in_pixels = self.answers_in_pixels(method, field);
         let from_center = distance.value.m() - self.counted_from(in_pixels).m();
         judge::value(Term::Distance, judge::positive(from_center).map_err(|_| Refusal::BehindZero))?;
         let mut given = Given {
-            focal_length: number(
-                projected
-                    .map(|projected| projected.focal_length)
-                    .or(self.focal_length_of(method).map(InImage::to_base)),
-            ),
-            extent: number(
-                projected
-                    .map(|projected| projected.extent)
-                    .or(self.extent(method).map(InImage::to_base)),
-            ),
+            focal_length,
+            extent,
             distance: Measured::new(Length::from_m(from_center), distance.sigma),
-            length: if method == Method::Stereo {
-                self.baseline
-            } else {
-                self.foreshortened_width()
+            length: match method {
+                Method::Stereo => self.baseline,
+                Method::Monocular => self.foreshortened_width(),
             },
         };
         if self.object == Object::Ball && method == Method::Monocular {
             given = given.of_disk(field)?;
         }
-        let Some(found) = self.solve_equation(method, field, given)? else {
-            return Ok(None);
-        };
+        let found = self.solve_equation(method, field, given)?;
         let in_unit = |pixels: Measured<Pixels>| {
             Solved::InImage(if in_pixels {
                 InImage::Pixels(pixels)
@@ -124,12 +87,52 @@ impl Problem {
                 InImage::OnSensor(Measured::from_base(pixels.value.px(), pixels.sigma.px()))
             })
         };
-        Ok(Some(match found {
+        Ok(found.map(|found| match found {
             Found::FocalLength(pixels) | Found::Disparity(pixels) | Found::Doffs(pixels) | Found::ImageWidth(pixels) => in_unit(pixels),
             Found::Baseline(length) | Found::Distance(length) => Solved::Length(length),
             // The equation has the width that shows.
             Found::RealWidth(width) => Solved::Length(self.turned_away(width)),
         }))
+    }
+
+    /// Focal length and extent of the equation of `method`, where it is solved for `field`, as numbers of one unit, which cancels;
+    /// `Ok(None)` where one of them is missing.
+    fn in_image(&self, method: Method, field: Field) -> Result<Option<[Option<Measured<Pixels>>; 2]>, Unsolvable> {
+        let number = |measured: Measured<f64>| Measured::from_base(measured.value, measured.sigma);
+        let [focal_length, extent] = [self.focal_length_of(method), self.extent(method)];
+        match field {
+            // An angle has none.
+            Field::FocalLength if matches!(extent, Some(InImage::Angle(_))) => Err(Unsolvable::NotOneUnknown),
+            // The offset of the principal points is in pixels.
+            Field::Doffs if [focal_length, extent].into_iter().flatten().any(|one| one.px().is_none()) => Err(Unsolvable::Value {
+                term: Term::Input(Field::Doffs),
+                refusal: Refusal::OtherUnit,
+            }),
+            Field::FocalLength | Field::Disparity | Field::ImageWidth => {
+                Ok(Some([focal_length, extent].map(|one| one.map(InImage::to_base).map(number))))
+            }
+            _ => {
+                let projected = self.projected(method).transpose()?;
+                Ok(projected.map(|projected| [projected.focal_length, projected.extent].map(|one| Some(number(one)))))
+            }
+        }
+    }
+
+    /// Whether what is found for `field` of the image is in pixels: as what is given there is.
+    fn answers_in_pixels(&self, method: Method, field: Field) -> bool {
+        let given = if field == Self::extent_of(method) {
+            self.focal_length_of(method)
+        } else {
+            self.extent(method)
+        };
+        given.is_none_or(|given| given.px().is_some())
+    }
+
+    const fn extent_of(method: Method) -> Field {
+        match method {
+            Method::Stereo => Field::Disparity,
+            Method::Monocular => Field::ImageWidth,
+        }
     }
 
     fn extent(&self, method: Method) -> Option<InImage> {
@@ -230,8 +233,4 @@ impl Given {
             ..self
         })
     }
-}
-
-fn number(measured: Option<Measured<f64>>) -> Option<Measured<Pixels>> {
-    measured.map(|Measured { value, sigma }| Measured::from_base(value, sigma))
 }

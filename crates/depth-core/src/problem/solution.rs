@@ -255,7 +255,7 @@ impl Solution {
     }
 
     /// The focal length of the lens that the distance of `method` has in it, where that is worth a word: more than
-    /// [a hundredth](NOTABLE_LENS) of it.
+    /// a hundredth of it.
     ///
     /// ```
     /// # use depth_core::problem::{Field, Method, Problem};

@@ -34,7 +34,7 @@ pub enum NumberError {
     /// There is no number in it.
     NotANumber,
     /// It could mean several numbers, or is grouped in a way that has to be confirmed. Each reading is a text that
-    /// [`read`](super::read) takes without asking again; there may be none.
+    /// [`read`](fn@super::read) takes without asking again; there may be none.
     Ambiguous {
         /// What it may have meant.
         readings: Vec<String>,
