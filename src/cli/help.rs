@@ -73,8 +73,8 @@ Example:
 
 /// Of `between`.
 pub(super) const BETWEEN: &str = "\
-Both points are given as column, row and disparity in the left image,
-with commas between.
+Both points are given as column and row in the left image (or the upper
+one) and disparity, with commas between.
 
 Example:
   depth-calculator between --fx 452.9 --baseline 75mm --cx 298.85 \\

@@ -25,6 +25,9 @@ use std::collections::BTreeMap;
 struct Answer<'a> {
     /// What was read, by the name of its option.
     inputs: BTreeMap<String, Input>,
+    /// What of the object is measured, and how the cameras stand.
+    object: &'static str,
+    pair: &'static str,
     stereo: Option<Distance>,
     monocular: Option<Distance>,
     combined: Option<Combined>,
@@ -98,6 +101,8 @@ impl Exporter for Json<'_> {
         let solution = &assessment.solution;
         let answer = Answer {
             inputs: inputs(assessment),
+            object: solution.problem.object.key(),
+            pair: solution.problem.pair.key(),
             stereo: distance(assessment, Method::Stereo),
             monocular: distance(assessment, Method::Monocular),
             combined: solution.combined.map(|combined| Combined {

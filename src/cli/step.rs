@@ -24,7 +24,10 @@ pub(super) struct Step {
 
 /// The fields that `step` has options for.
 fn step_fields() -> Vec<Key> {
-    Section::TwoShots.keys().chain([fields::FOCAL_LENGTH]).collect()
+    Section::TwoShots
+        .keys()
+        .chain([fields::FOCAL_LENGTH, fields::FX_LENS, fields::ZERO])
+        .collect()
 }
 
 impl Args for Step {

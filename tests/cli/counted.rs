@@ -224,6 +224,8 @@ fn two_photographs_and_a_step() {
     assert_eq!(shots["warnings"][0]["field"], "sigma-px");
     let exact = answer("step --far-px 100 --near-px 120 --step 1 --sigma-px 0");
     near(&exact["sigma_m"], 0.0, 1e-15);
+    let counted = answer("step --far-px 100 --near-px 120 --step 1 --zero 5mm --lens 15mm --sigma-px 1");
+    near(&counted["distance_far_m"], 6.01, 1e-12);
     // Both widths are measured in the same way.
     let one = answer("step --far-px 100 --near-px 120 --step 1 --sigma-far-px 2");
     let both = answer("step --far-px 100 --near-px 120 --step 1 --sigma-px 2");

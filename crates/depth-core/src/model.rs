@@ -24,6 +24,7 @@ use std::f64::consts::PI;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Model {
     focal_length: Measured<f64>,
+    focal_length_source: Field,
     length: Measured<Length>,
     length_source: Field,
     extent: Measured<f64>,
@@ -109,6 +110,7 @@ impl Model {
         };
         Self {
             focal_length: projected.focal_length,
+            focal_length_source: Field::FocalLength,
             length,
             length_source,
             extent: projected.extent,
@@ -216,9 +218,17 @@ impl Model {
         self.zero
     }
 
-    /// Whether the focal length takes part, which of an angle it does not.
-    pub(crate) const fn has_focal_length(&self) -> bool {
-        self.angle.is_none()
+    /// Whose σ the focal length has, fx or fy; `None` for an angle, which has none. Only what has the same shares it.
+    pub(crate) fn calibration(&self) -> Option<Field> {
+        self.angle.is_none().then_some(self.focal_length_source)
+    }
+
+    /// With a focal length along the columns whose σ is its own.
+    pub(crate) const fn with_fy(self) -> Self {
+        Self {
+            focal_length_source: Field::Fy,
+            ..self
+        }
     }
 
     /// Whether f and x are in pixels.
@@ -363,7 +373,7 @@ impl Model {
         let share = self.share_of_projection();
         let of_divisor = |sigma| Measured::new(self.divisor().value, sigma).relative() * share;
         [
-            (Field::FocalLength, self.focal_length.relative() * share),
+            (self.focal_length_source, self.focal_length.relative() * share),
             (self.length_source, self.length.relative()),
             (self.extent_source, of_divisor(self.extent.sigma)),
             (Field::Doffs, of_divisor(self.doffs.sigma)),

@@ -6,7 +6,6 @@
 //! is why [`Model::interval`] is the honest answer and [`Model::relative_sigma`] its small-σ limit.
 
 use crate::arithmetic::root_sum_of_squares;
-use crate::field::Field;
 use crate::measured::Measured;
 use crate::quantity::Length;
 
@@ -69,9 +68,7 @@ impl Model {
     /// # Ok::<(), depth_core::judge::Unsolvable>(())
     /// ```
     pub fn own_relative_sigma(&self) -> f64 {
-        let own = self
-            .relative_sigmas()
-            .map(|(source, relative)| if source == Field::FocalLength { 0.0 } else { relative });
+        let [_of_focal_length, own @ ..] = self.relative_sigmas().map(|(_, relative)| relative);
         root_sum_of_squares(&own)
     }
 

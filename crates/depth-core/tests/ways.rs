@@ -226,3 +226,29 @@ fn a_baseline_that_is_not_square_counts_with_the_sine() {
     assert_near(effective(120.0).unwrap(), 86.602_54, 1e-5);
     assert_eq!((effective(0.0), effective(180.0), effective(-30.0)), (None, None, None));
 }
+
+#[test]
+fn an_fy_with_a_sigma_of_its_own_is_not_shared_with_fx() {
+    let mut both = problem(&[
+        (Field::FocalLength, 700.0),
+        (Field::Fy, 700.0),
+        (Field::Baseline, 0.1),
+        (Field::Disparity, 3.5),
+        (Field::ImageWidth, 70.0),
+        (Field::RealWidth, 2.0),
+    ]);
+    both.object = Object::Height;
+    for (field, sigma) in [(Field::Fy, 70.0), (Field::ImageWidth, 0.5), (Field::Disparity, 0.1)] {
+        both.set_sigma(field, sigma);
+    }
+    // 20 m to 1/35 and to √(0.1² + (0.5/70)²).
+    let (r1, r2) = (1.0 / 35.0, 0.1_f64.hypot(0.5 / 70.0));
+    let expected = 20.0 * r1 * r2 / f64::hypot(r1, r2);
+    assert_near(both.solve().combined.unwrap().sigma.m(), expected, 1e-9);
+    // Without one it has that of fx, and they share it.
+    both.set_sigma(Field::Fy, 0.0);
+    both.set_sigma(Field::FocalLength, 70.0);
+    let (r1, r2) = (1.0 / 35.0, 0.5 / 70.0);
+    let expected = 20.0 * (r1 * r2 / f64::hypot(r1, r2)).hypot(0.1);
+    assert_near(both.solve().combined.unwrap().sigma.m(), expected, 1e-9);
+}

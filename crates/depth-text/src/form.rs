@@ -107,7 +107,7 @@ impl Inputs {
         } else if key == fields::REAL_WIDTH && self.object == Object::Height {
             "Actual physical height of the object."
         } else if key == fields::IMAGE_WIDTH && self.object == Object::Ball {
-            "Width of the ball in the image, near its middle."
+            "Width of the ball, with it in the middle of the image."
         } else if key == fields::REAL_WIDTH && self.object == Object::Ball {
             "Actual diameter of the ball."
         } else {

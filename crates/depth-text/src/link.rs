@@ -5,6 +5,7 @@
 use crate::assess::Assessment;
 use crate::entry::Entry;
 use crate::field::Key;
+use crate::fields;
 use crate::form::Inputs;
 use crate::unit::Unit;
 use depth_core::setup::{Object, Pair};
@@ -17,7 +18,7 @@ const LONGEST: usize = 64;
 /// A value is taken as it would be typed: `100mm` sets the unit as well, a bare number has the field's default unit.
 /// Unknown names are passed over.
 pub fn apply(fragment: &str, inputs: &mut Inputs) -> bool {
-    let mut any = false;
+    let (mut any, mut names_fx, mut names_lens) = (false, false, false);
     for pair in fragment.trim_start_matches('#').split('&') {
         let Some((name, value)) = pair.split_once('=') else { continue };
         any |= choose(name, value, inputs);
@@ -25,9 +26,15 @@ pub fn apply(fragment: &str, inputs: &mut Inputs) -> bool {
             continue;
         };
         let text: String = percent_decoded(value).chars().filter(|c| !c.is_control()).take(LONGEST).collect();
-        inputs.fill(key, Entry::new(text, key.kind.length_unit()));
+        // In whichever order a link has them, a lens that it names belongs to its fx.
+        names_lens |= key == fields::FX_LENS;
+        names_fx |= key == fields::FOCAL_LENGTH;
+        inputs.entries.fill(key, Entry::new(text, key.kind.length_unit()));
         inputs.tidy(key);
         any = true;
+    }
+    if names_fx && !names_lens {
+        inputs.edited(fields::FOCAL_LENGTH);
     }
     any
 }
@@ -126,6 +133,16 @@ mod tests {
             let solution = inputs.assess().solution;
             let distance = solution.stereo.distance().or(solution.monocular.distance());
             assert_eq!(distance, Some(Length::from_m(meters)), "{link}");
+        }
+    }
+
+    #[test]
+    fn a_lens_belongs_to_the_fx_of_its_link_in_either_order() {
+        for (link, lens) in [("fx-lens=15mm&fx=937.5", "15"), ("fx=937.5&fx-lens=15mm", "15"), ("fx=937.5", "")] {
+            let mut inputs = Inputs::default();
+            inputs.entry_mut(fields::FX_LENS).text = "4".into();
+            assert!(apply(link, &mut inputs));
+            assert_eq!(inputs.entry(fields::FX_LENS).text, lens, "{link}");
         }
     }
 

@@ -24,8 +24,10 @@ pub struct Curve {
 struct Model {
     /// What of every disparity on the axis is doffs; `None` where there is none.
     doffs_px: Option<f64>,
-    /// The depth at one pixel of disparity, m: fx·b/(1 px).
+    /// The depth at one pixel of disparity from the center of projection, m: fx·b/(1 px).
     depth_at_one_px_m: f64,
+    /// What is added to that: the focal length of a lens, less where distances are counted from.
+    shift_m: f64,
     disparity_end_px: f64,
     depth_end_m: f64,
 }
@@ -38,7 +40,9 @@ impl Model {
         let center = disparity.unwrap_or(Pixels::new((low * high).sqrt()));
         let model = Self {
             doffs_px: problem.get(Field::Doffs),
-            depth_at_one_px_m: problem.depth_at(Pixels::new(1.0))?.m(),
+            // Taken to the point that is shown: at one pixel a zero in front of the lens may be beyond it.
+            depth_at_one_px_m: (problem.depth_at(center)?.m() - problem.shift().m()) * center.px(),
+            shift_m: problem.shift().m(),
             disparity_end_px: plot::round_up(center.px() * 1.6),
             depth_end_m: plot::round_up(problem.depth_at(center)?.m() * 1.6),
         };
@@ -53,12 +57,13 @@ impl Model {
         const POINTS: u32 = 96;
         // x·y of the hyperbola in fractions of the axes; the curve enters the picture at the top, where y is 1.
         let product = self.depth_at_one_px_m / self.disparity_end_px / self.depth_end_m;
-        let start = product.min(1.0);
+        let shift = self.shift_m / self.depth_end_m;
+        let start = (product / (1.0 - shift)).clamp(f64::MIN_POSITIVE, 1.0);
         (0..=POINTS)
             .map(|i| {
                 // Equal steps of ln x are equal steps of ln y: smooth at both ends.
                 let x = start.powf(1.0 - f64::from(i) / f64::from(POINTS));
-                [x, product / x]
+                [x, product / x + shift]
             })
             .collect()
     }

@@ -10,10 +10,12 @@ use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::{choice, text};
 use crate::core::setup::{Object, Pair};
 use depth_text::choices::MATCHING_ERRORS;
+use depth_text::entry::Entry;
 use depth_text::field::{Key, Section};
 use depth_text::fields;
 use depth_text::form::Example;
 use depth_text::number::plain;
+use depth_text::reading;
 use egui::accesskit::Role;
 use egui::{Button, ComboBox, Rect, RichText, Stroke, Ui, UiBuilder, vec2};
 
@@ -117,7 +119,10 @@ fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, key: Key, marked: bool) {
     field.ui(ui, cx.commands);
     // One that was typed behind the value is shown in its own field.
     inputs.with_uncertainty |= inputs.sigma(key) != before.sigma;
-    if inputs.entry(key).text != before.text {
+    let value = |entry: &Entry| Some(reading::read(key, entry).ok()??.value);
+    let now = inputs.entry(key);
+    // Not where only a space or a σ was added, nor while it cannot be read.
+    if now.text != before.text && value(now).is_some() && value(now) != value(&before) {
         inputs.edited(key);
     }
     if key == fields::DISPARITY && inputs.with_uncertainty {

@@ -41,6 +41,8 @@ pub struct TopView<'a> {
     pub interval: Option<(Length, Option<Length>)>,
     pub width: Option<&'a str>,
     pub unit: LengthUnit,
+    /// Whether it is seen from the side.
+    pub is_from_side: bool,
 }
 
 impl Display for Description<'_> {
@@ -86,6 +88,7 @@ impl Display for TopView<'_> {
             interval,
             width,
             unit,
+            is_from_side,
         } = *self;
         let length = |length, unit| report::length(Some(length), unit);
         match baseline {
@@ -106,10 +109,10 @@ impl Display for TopView<'_> {
         if let Some(width) = width {
             write!(f, ", {width} wide")?;
         }
-        let place = if baseline.is_some() {
-            Hint::ObjectMidway
-        } else {
-            Hint::ObjectAhead
+        let place = match baseline {
+            _ if is_from_side => Hint::FromTheSide,
+            Some(_) => Hint::ObjectMidway,
+            None => Hint::ObjectAhead,
         };
         write!(f, ". {place}")
     }
@@ -166,6 +169,7 @@ mod tests {
                 interval: Some((meters(1.373), Some(meters(1.429)))),
                 width: None,
                 unit,
+                is_from_side: false,
             }),
             Description::Budget { .. } => Description::Budget { uncertainty: solution.stereo_uncertainty.as_ref().unwrap() },
             Description::Histogram { .. } => Description::Histogram { histogram: &histogram, draws: 100, unit },
@@ -179,6 +183,7 @@ mod tests {
                 interval: Some((meters(4.1), None)),
                 width: Some("0.9 m"),
                 unit,
+                is_from_side: true,
             }),
         ]);
         assert_said("descriptions", &descriptions);

@@ -132,7 +132,7 @@ impl Display for Hint {
             Self::NoPixelsForCurve => f.write_str("This curve counts the disparity in pixels."),
             Self::FromTheSide => f.write_str("Seen from the side: up is to the left."),
             Self::TwoShots => f.write_str("For an object whose size is not known: w_1 and w_2 are its widths in two photographs, the second a step s nearer. The first place is s · w_2 / (w_2 − w_1) away. An error of a pixel counts D / s times as much as with a known size, so step far."),
-            Self::TwoPoints => f.write_str("The straight line between two points that both cameras see, each with its pixel in the left image and its disparity. fx, b, doffs and fy are those of the form, cx and cy those of Depth or range."),
+            Self::TwoPoints => f.write_str("The straight line between two points that both cameras see, each with its pixel in the left image (or the upper one) and its disparity. fx, b, doffs and fy are those of the form, cx and cy those of Depth or range."),
             Self::NoTopView => f.write_str("The cameras, their lines of sight and the object from above, as soon as a distance is known."),
             Self::ObjectMidway => f.write_str("The object is drawn midway between the cameras; where it stands sideways needs more than a disparity."),
         }

@@ -17,6 +17,8 @@ pub fn ui<T: Copy + PartialEq + Named>(ui: &mut Ui, line: Rect, group: &str, all
     let line = Rect::from_center_size(line.center(), vec2(line.width(), height));
     let place = UiBuilder::new()
         .id_salt(group)
+        .accessibility_role(Role::RadioGroup)
+        .accessibility_label(group)
         .max_rect(line)
         .layout(Layout::left_to_right(Align::Center));
     let mut ui = ui.new_child(place);

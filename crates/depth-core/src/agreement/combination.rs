@@ -16,8 +16,8 @@ use crate::quantity::Length;
 /// `None` where one of them has no uncertainty of its own: nothing is there to weigh it with. And where they
 /// [contradict](super::Comparison::contradict) each other: nothing between them would be right.
 ///
-/// Both models must have the same focal length, as far as they need one, and count from the same place; r_f is taken from `first`,
-/// and is 0 where one of them is from an angle: then each has all of its σ for itself.
+/// Both models must count from the same place. r_f is that of the focal length which both share; where they have different ones, or
+/// one is from an angle and has none, it is 0, and each has all of its σ for itself.
 ///
 /// ```
 /// use depth_core::agreement::combine;
@@ -63,7 +63,7 @@ pub fn combine(first: &Model, second: &Model) -> Option<Measured<Length>> {
 
 /// The relative σ that both distances have in common: that of the focal length, where both need it.
 pub(crate) fn shared_relative_sigma(first: &Model, second: &Model) -> f64 {
-    if first.has_focal_length() && second.has_focal_length() {
+    if first.calibration().is_some() && first.calibration() == second.calibration() {
         of_optical_depth(first, first.focal_length().relative())
     } else {
         0.0

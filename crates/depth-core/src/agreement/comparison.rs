@@ -150,7 +150,8 @@ impl Comparison {
 
 /// The relative σ of the distance of each model from the lens that it does not share with the other.
 pub(super) fn unshared(models: [&Model; 2]) -> [f64; 2] {
-    let share_focal_length = models.iter().all(|model| model.has_focal_length());
+    let [first, second] = models.map(Model::calibration);
+    let share_focal_length = first.is_some() && first == second;
     models.map(|model| {
         let relative = if share_focal_length {
             model.own_relative_sigma()

@@ -82,7 +82,7 @@ pub fn suspects(first: &Model, second: &Model) -> Vec<Suspect> {
     let largest = [first, second]
         .into_iter()
         .flat_map(|model| model.relative_sigmas())
-        .filter(|&(source, relative)| source != Field::FocalLength && relative > 0.0)
+        .filter(|&(source, relative)| !matches!(source, Field::FocalLength | Field::Fy) && relative > 0.0)
         .max_by(|(_, a), (_, b)| a.total_cmp(b));
 
     let blunders = blunders.into_iter().map(|(_, blunder)| blunder);

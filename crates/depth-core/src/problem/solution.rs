@@ -64,7 +64,8 @@ pub struct BestDistance {
     pub origin: Origin,
     /// The distance with its own σ: [`own_relative_sigma`](crate::uncertainty::Model::own_relative_sigma).
     pub distance: Measured<Length>,
-    /// Whether it grows with the focal length, so that its σ has a part that is not in `distance`. That of an angle does not.
+    /// Whether it grows with fx, so that its σ has a part that is not in `distance`. That of an angle does not, nor what has an fy
+    /// with a σ of its own.
     pub has_focal_length: bool,
     /// What of it is no distance from the center of projection: the focal length of the lens less where zero is.
     pub shift: Length,
@@ -183,28 +184,44 @@ impl Solution {
     /// ```
     pub fn best(&self) -> Option<BestDistance> {
         let [stereo, monocular] = Method::ALL.map(|method| self.problem.model(method)?.ok());
+        let shares = |model: &Model| model.calibration() == Some(Field::FocalLength);
         let shift = |model: &Model| Length::from_m(model.depth().m() - model.projected_depth().m());
         if let (Some(combined), Some(stereo), Some(monocular)) = (self.combined, &stereo, &monocular) {
             let shift = shift(stereo);
-            let shared = agreement::shared_relative_sigma(stereo, monocular) * (combined.value.m() + stereo.zero().m());
+            let has_fx = shares(stereo) && shares(monocular);
+            let relative = if has_fx {
+                agreement::shared_relative_sigma(stereo, monocular)
+            } else {
+                0.0
+            };
+            let shared = relative * (combined.value.m() + stereo.zero().m());
             let own = ((combined.sigma.m() - shared).max(0.0) * (combined.sigma.m() + shared)).sqrt();
             return Some(BestDistance {
                 origin: Origin::Combined,
                 distance: Measured::new(combined.value, Length::from_m(own)),
-                has_focal_length: stereo.has_focal_length() && monocular.has_focal_length(),
+                has_focal_length: has_fx,
                 shift,
             });
         }
         Method::ALL.into_iter().find_map(|method| {
             let distance = self.outcome(method).distance()?;
             let exact = self.problem.without_sigmas().model(method)?.ok()?;
-            let own = self
+            let has_fx = self
                 .uncertainty(method)
-                .map_or(0.0, |known| known.model.projected_depth().m() * known.model.own_relative_sigma());
+                .map_or_else(|| shares(&exact), |known| shares(&known.model));
+            let own = self.uncertainty(method).map_or(0.0, |known| {
+                let model = &known.model;
+                let relative = if has_fx {
+                    model.own_relative_sigma()
+                } else {
+                    model.relative_sigma()
+                };
+                model.projected_depth().m() * relative
+            });
             Some(BestDistance {
                 origin: Origin::Method(method),
                 distance: Measured::new(distance, Length::from_m(own)),
-                has_focal_length: exact.has_focal_length(),
+                has_focal_length: has_fx,
                 shift: shift(&exact),
             })
         })

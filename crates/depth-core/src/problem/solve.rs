@@ -209,6 +209,8 @@ impl Problem {
             Method::Monocular if self.object == Object::Ball => model.of_ball(),
             Method::Monocular => model,
         };
+        let has_own_fy = self.needs_fy(method) && self.fy.is_some_and(|fy| fy.relative() > 0.0);
+        let model = if has_own_fy { model.with_fy() } else { model };
         let lens = self.lens.filter(|_| projected.is_in_pixels);
         model.counted(lens.unwrap_or(Length::ZERO), self.zero.unwrap_or(Length::ZERO))
     }

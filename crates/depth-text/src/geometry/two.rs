@@ -8,6 +8,7 @@ use crate::fields::{
 };
 use crate::form::Inputs;
 use crate::note::{Issue, Note};
+use depth_core::in_image::InImage;
 use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
 use depth_core::problem::Method;
@@ -58,8 +59,9 @@ pub(super) fn shots(camera: &Camera<'_>) -> Result<Option<TwoShots>, Note> {
         focal_length: camera.fx(),
     };
     let solution = shots.solve().map_err(|error| shots_note(camera, error))?;
-    let zero = camera.solution.problem.zero.map_or(0.0, Length::m);
-    let counted = |distance: Measured<Length>| Measured::new(Length::from_m(distance.value.m() - zero), distance.sigma);
+    // A focused lens shows widths as if it were its own focal length nearer.
+    let shift = camera.solution.problem.shift().m();
+    let counted = |distance: Measured<Length>| Measured::new(Length::from_m(distance.value.m() + shift), distance.sigma);
     let (far, near) = (counted(solution.far), counted(solution.near));
     if near.value.m() <= 0.0 {
         return Err(Note::error(ZERO, Issue::BehindZero));
@@ -103,8 +105,11 @@ fn two_points(camera: &Camera<'_>) -> Option<TwoPoints> {
     };
     let problem = &camera.solution.problem;
     let is_vertical = problem.needs_fy(Method::Stereo);
+    let fx = camera.fx().or_else(|| camera.fy_with_sigma())?;
+    // The depths have the σ of the focal length that the disparity goes with.
+    let relative = problem.focal_length_of(Method::Stereo).map_or(0.0, InImage::relative);
     Some(TwoPoints {
-        fx: camera.fx().or_else(|| camera.fy_with_sigma())?,
+        fx: Measured::from_base(fx.value.px(), fx.value.px() * relative),
         fy: camera.fy()?,
         is_vertical,
         baseline: problem.baseline?,

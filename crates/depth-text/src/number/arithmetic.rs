@@ -24,6 +24,10 @@ pub(super) fn value(text: &str) -> Result<(f64, bool), NumberError> {
     }
     factors.push((divides, rest.trim()));
     match factors.as_slice() {
+        [(_, power)] if power_of_ten(power).is_some() => {
+            let exponent = power_of_ten(power).unwrap_or_default();
+            return decimal::value(&format!("1e{exponent}")).map(|value| (value, false));
+        }
         [(_, one)] => return decimal::value(one).map(|value| (value, false)),
         // A power of ten is how a number is written, not worked out.
         [(_, digits), (false, power)] if power_of_ten(power).is_some() => {

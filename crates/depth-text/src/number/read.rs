@@ -19,7 +19,9 @@ pub fn read(text: &str, primes: Primes) -> Result<Typed, NumberError> {
     if text.len() > LONGEST {
         return Err(NumberError::NotANumber);
     }
+    let as_typed = text;
     let text = normalized(text);
+    let is_translated = text != as_typed;
     let text = without_name(text.trim());
     if let Some(typed) = compound::read(text, primes) {
         return checked(typed);
@@ -45,7 +47,7 @@ pub fn read(text: &str, primes: Primes) -> Result<Typed, NumberError> {
         unit,
         unit_text: unit_text.to_owned(),
         last_unit: unit,
-        is_computed,
+        is_computed: is_computed || is_translated,
     })
 }
 

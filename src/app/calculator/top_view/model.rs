@@ -13,7 +13,10 @@ use depth_text::{fields, report};
 /// The scene in meters: x to the right, z away from the cameras, the middle of the cameras at the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Model {
+    /// From the lens.
     pub(super) depth_m: f64,
+    /// Where distances are counted from, in front of the lens.
+    pub(super) zero_m: f64,
     /// Where the depth is from, if there are two distances.
     pub(super) origin: Option<Origin>,
     /// Two cameras this far apart, or one.
@@ -32,11 +35,14 @@ impl Model {
         let problem = &solution.problem;
         let best = solution.best()?;
         let interval = solution.best_interval();
-        let interval_m = interval.map(|interval| (interval.near.m(), interval.far.map(Length::m)));
+        let zero_m = problem.zero.map_or(0.0, Length::m);
+        let from_lens = |length: Length| length.m() + zero_m;
+        let interval_m = interval.map(|interval| (from_lens(interval.near), interval.far.map(from_lens)));
         let has_stereo = solution.stereo.distance().is_some();
         let is_from_side = problem.needs_fy(if has_stereo { Method::Stereo } else { Method::Monocular });
         let model = Self {
-            depth_m: best.distance.value.m(),
+            depth_m: from_lens(best.distance.value),
+            zero_m,
             origin: Some(best.origin).filter(|_| has_stereo && solution.monocular.distance().is_some()),
             baseline_m: problem.baseline.filter(|_| has_stereo).map(|baseline| baseline.value.m()),
             width_m: problem
@@ -55,6 +61,11 @@ impl Model {
             .then_some(model)
     }
 
+    /// A depth from the lens as it is counted.
+    const fn counted(&self, depth_m: f64) -> Length {
+        Length::from_m(depth_m - self.zero_m)
+    }
+
     pub(super) const fn remark(&self) -> Hint {
         match self.baseline_m {
             _ if self.is_from_side => Hint::FromTheSide,
@@ -68,7 +79,10 @@ impl Model {
             baseline: words.baseline.as_deref(),
             distance: &words.distance,
             origin: self.origin,
-            interval: self.interval_m.map(|(near, far)| (Length::from_m(near), far.map(Length::from_m))),
+            interval: self
+                .interval_m
+                .map(|(near, far)| (self.counted(near), far.map(|far| self.counted(far)))),
+            is_from_side: self.is_from_side,
             width: words.width.as_deref(),
             unit: words.unit,
         })
@@ -92,7 +106,7 @@ impl Words {
             let computed = report::length(meters.map(Length::from_m), unit);
             meters.map(|_| reading.map_or(computed, |reading| Style::WINDOW.typed(reading)))
         };
-        let distance = report::length(Some(Length::from_m(model.depth_m)), unit);
+        let distance = report::length(Some(model.counted(model.depth_m)), unit);
         Self {
             object: match model.origin {
                 Some(Origin::Combined) => format!("combined {distance}"),
