@@ -344,19 +344,9 @@ impl Model {
         self.extent.plus(self.doffs)
     }
 
-    /// By which part of itself the divisor is larger 1 σ nearer, and smaller 1 σ farther away: twice its relative σ, but for an angle.
-    pub(crate) fn relative_divisor_ends(&self) -> [f64; 2] {
-        let Some(angle) = self.angle else {
-            return [self.divisor().relative(); 2];
-        };
-        let (value, sigma) = (angle.value.radians(), angle.sigma.radians());
-        let extent = |angle: f64| (angle / 2.0).tan() / (value / 2.0).tan();
-        let larger = if value + sigma < PI {
-            extent(value + sigma) - 1.0
-        } else {
-            f64::MAX
-        };
-        [larger, 1.0 - extent((value - sigma).max(0.0))]
+    /// The extent, where it was measured as an angle.
+    pub(crate) const fn angle(&self) -> Option<Measured<Angle>> {
+        self.angle
     }
 
     /// How much more of the relative σ of f/x than of that of L the distance has: 1, of a near ball less.

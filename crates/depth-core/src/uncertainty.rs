@@ -8,6 +8,7 @@
 use crate::arithmetic::root_sum_of_squares;
 use crate::measured::Measured;
 use crate::quantity::Length;
+use std::f64::consts::PI;
 
 pub use crate::budget::{Budget, Share};
 pub use crate::model::Model;
@@ -119,6 +120,21 @@ impl Model {
             near: if near > 0.0 { counted(near) } else { Length::from_m(0.0) },
             far: far.map(counted),
         }
+    }
+
+    /// By which part of itself the divisor is larger 1 σ nearer, and smaller 1 σ farther away: twice its relative σ, but for an angle.
+    fn relative_divisor_ends(&self) -> [f64; 2] {
+        let Some(angle) = self.angle() else {
+            return [self.divisor().relative(); 2];
+        };
+        let (value, sigma) = (angle.value.radians(), angle.sigma.radians());
+        let extent = |angle: f64| (angle / 2.0).tan() / (value / 2.0).tan();
+        let larger = if value + sigma < PI {
+            extent(value + sigma) - 1.0
+        } else {
+            f64::MAX
+        };
+        [larger, 1.0 - extent((value - sigma).max(0.0))]
     }
 
     /// The relative σ of the divisor: √(σ_d² + σ_δ²)/(d + δ), or σ_p/w_img.
