@@ -24,7 +24,7 @@ pub enum Helper {
 }
 
 impl Helper {
-    /// Whether its link comes behind the field in the order of the focus: whoever types five numbers in a row needs it least.
+    /// Whether its link comes behind all fields in the order of the focus: whoever types five numbers in a row needs it least.
     pub const fn comes_last(self) -> bool {
         matches!(self, Self::Baseline)
     }

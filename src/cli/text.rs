@@ -27,6 +27,7 @@ impl Exporter for Text {
         let mut lines = Vec::new();
         if let Some(unknown) = &assessment.unknown {
             lines.extend(solved_for(style, unknown, unit));
+            lines.extend(indented(remarks(assessment, unknown.method)));
         }
         let combined = solution.combined;
         if let Some(combined) = combined {
@@ -61,6 +62,11 @@ fn solved_for(style: Style, unknown: &Unknown, unit: LengthUnit) -> Option<Strin
     Some(format!("{value} ({})", Key::from(unknown.field).noun))
 }
 
+fn remarks(assessment: &Assessment, method: Method) -> Vec<String> {
+    let remarks = report::remarks(assessment, method);
+    remarks.iter().map(Statement::to_string).collect()
+}
+
 fn indented(lines: Vec<String>) -> impl Iterator<Item = String> {
     lines.into_iter().map(|line| format!("  {line}"))
 }
@@ -74,7 +80,7 @@ fn of_method(style: Style, assessment: &Assessment, method: Method, unit: Length
     if let Some(numbers) = style.numbers_in_formula(assessment, method) {
         below.push(format!("{} = {numbers}", formula(solution, method)));
     }
-    below.extend(report::remarks(assessment, method).iter().map(Statement::to_string));
+    below.extend(remarks(assessment, method));
     if let Some(uncertainty) = solution.uncertainty(method) {
         below.extend(certainty(style, uncertainty, unit));
     }

@@ -94,3 +94,17 @@ it('a form is filled with the key Tab without waiting for anything', { needs: ['
   assert.deepEqual(wrong, []);
   await until('a result', async () => /\d m\b/.test(await page.text()));
 });
+
+it('what no font here has can be typed, and the program goes on', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  const name = 'Object real width (w_real)';
+  // Arabic, Hebrew, Khmer, Devanagari, Hangul, an emoji of several, marks that combine, and what turns text around.
+  for (const text of ['متر ٥', 'מטר', 'ភាសា', 'हिन्दी', '한글', '👩‍🚀', 'n\u0303\u0301', '\u202eabc']) {
+    await page.fill(name, text);
+  }
+  await page.fill('Focal length (fx)', '500');
+  await page.fill('Object width in image (w_img)', '100');
+  await page.fill(name, '0.30');
+  await until('the distance', async () => /1\.5\d* m\b/.test(await page.text()));
+});

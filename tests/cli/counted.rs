@@ -176,6 +176,8 @@ fn a_near_lens_is_added_where_fx_came_from_it() {
     );
     let (lines, _) = text(&format!("calculate {object} --lens 15mm"));
     assert!(lines.iter().any(|line| line.contains("of the lens")), "{lines:?}");
+    let (lines, _) = text("calculate --fx 937.5 --w-real 100mm --lens 15mm --distance 282.857mm --solve-for w-img");
+    assert!(lines[0].starts_with("350.0 px") && lines[1].contains("of the lens"), "{lines:?}");
     // It is nothing to speak of where it is less than 1 %.
     let (lines, _) = text("calculate --fx 937.5 --w-img 5 --w-real 100mm --lens 15mm");
     assert!(!lines.iter().any(|line| line.contains("of the lens")), "{lines:?}");

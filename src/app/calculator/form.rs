@@ -38,10 +38,19 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
     });
 }
 
+/// What a person needs who does not type five numbers in a row: drawn, and so in the order of the focus, behind the fields, each in the
+/// line that was left for it.
+enum Late {
+    /// How the cameras stand, or what of the object is measured.
+    Setup(Section),
+    Helper(Helper),
+}
+
 fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
+    let mut late = Vec::new();
     for section in Section::FORM {
         part_ui(ui, Part::Section(section), |ui| {
-            let heading = heading_ui(ui, cx, section);
+            late.push((Late::Setup(section), heading_ui(ui, cx, section)));
             let mut space = theme::FIRST_FIELD_SPACE;
             for key in section.keys() {
                 // Most rigs have no doffs, so the field is hidden until there is one. fy belongs to a point in space, too.
@@ -50,13 +59,24 @@ fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
                     continue;
                 }
                 ui.add_space(space);
-                part_ui(ui, Part::Field(key.as_str()), |ui| field_ui(ui, cx, key, marked));
+                part_ui(ui, Part::Field(key.as_str()), |ui| {
+                    let line = field_ui(ui, cx, key, marked);
+                    let helper = key.input.and_then(Helper::at).filter(|helper| helper.comes_last());
+                    late.extend(helper.map(|helper| (Late::Helper(helper), line)));
+                });
                 space = theme::STEP;
             }
-            setup_ui(ui, cx, section, heading);
         });
         ui.add_space(2.0 * theme::STEP);
     }
+    part_ui(ui, Part::Late, |ui| {
+        for (what, line) in late {
+            match what {
+                Late::Setup(section) => setup_ui(ui, cx, section, line),
+                Late::Helper(helper) => field::helper_ui(ui, line, helper, cx.commands),
+            }
+        }
+    });
 }
 
 /// The heading of a section. Returns what is left of its line.
@@ -78,8 +98,7 @@ fn heading_ui(ui: &mut Ui, cx: &AppContext<'_>, section: Section) -> Rect {
     response.inner.shrink2(vec2(theme::STEP, 0.0))
 }
 
-/// What is chosen in a section, how the cameras stand or what of the object is measured, in the `line` of its heading. Behind its
-/// fields in the order of the focus: whoever types five numbers in a row needs it least.
+/// What is chosen in a section, how the cameras stand or what of the object is measured, in the `line` of its heading.
 fn setup_ui(ui: &mut Ui, cx: &mut AppContext<'_>, section: Section, line: Rect) {
     let inputs = &mut cx.session.inputs;
     let changed = match section {
@@ -92,14 +111,16 @@ fn setup_ui(ui: &mut Ui, cx: &mut AppContext<'_>, section: Section, line: Rect) 
     }
 }
 
-fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, key: Key, marked: bool) {
+/// Draws a field. Returns the line of its label.
+fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, key: Key, marked: bool) -> Rect {
     let helper = key.input.and_then(Helper::at);
     let unit = cx.unit();
     let (inputs, assessment) = cx.session.parts();
     if let Some(unknown) = assessment.unknown.as_ref().filter(|unknown| key == unknown.field) {
-        field::label_ui(ui, key, helper, cx.commands);
+        let line = ui.available_rect_before_wrap();
+        let label = field::label_ui(ui, key, helper, cx.commands);
         unknown::solution_ui(ui, unknown, unit);
-        return;
+        return line.with_max_y(label.rect.bottom());
     }
     let missing = assessment.missing.iter().find(|note| marked && note.key == key);
     let value_note = assessment.note(key).or(missing);
@@ -116,7 +137,7 @@ fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, key: Key, marked: bool) {
         submits: true,
         entry: inputs.entry_mut(key),
     };
-    field.ui(ui, cx.commands);
+    let line = field.ui(ui, cx.commands);
     // One that was typed behind the value is shown in its own field.
     inputs.with_uncertainty |= inputs.sigma(key) != before.sigma;
     let value = |entry: &Entry| Some(reading::read(key, entry).ok()??.value);
@@ -128,6 +149,7 @@ fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, key: Key, marked: bool) {
     if key == fields::DISPARITY && inputs.with_uncertainty {
         typical_errors_ui(ui, &mut inputs.entry_mut(key).sigma, cx.commands);
     }
+    line
 }
 
 /// A choice among the matching errors that people state.
@@ -156,6 +178,7 @@ enum Part {
     Section(Section),
     /// A field, by its key.
     Field(&'static str),
+    Late,
     Buttons,
 }
 

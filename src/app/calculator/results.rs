@@ -145,7 +145,10 @@ fn solved_ui(ui: &mut Ui, assessment: &Assessment, unknown: &Unknown, unit: Leng
     let name = Key::from(unknown.field).name;
     text::badge_ui(ui, &format!("{}: {name}", unknown.method.name()), palette.green, palette.green_tint);
     match report::unknown_in_parts(unknown, unit) {
-        Some([value, unit]) => number_ui(ui, &value, &unit, name),
+        Some([value, unit]) => {
+            number_ui(ui, &value, &unit, name);
+            remarks_ui(ui, assessment, unknown.method);
+        }
         None => {
             number_ui(ui, NO_NUMBER, "", name);
             let why = report::why_unsolved(assessment, unknown);
@@ -217,12 +220,16 @@ fn result_ui(ui: &mut Ui, assessment: &Assessment, method: Method, unit: LengthU
     {
         text::caption_ui(ui, Hint::OnePixel { range }.to_string());
     }
-    for remark in report::remarks(assessment, method) {
-        text::caption_ui(ui, capital(&remark.to_string()));
-    }
+    remarks_ui(ui, assessment, method);
     text::caption_ui(ui, report::formula(solution, method));
     if let Some(formula) = report::formula_with_numbers(assessment, method, unit) {
         ui.label(RichText::new(formula).size(theme::SMALL_SIZE).color(palette.text));
+    }
+}
+
+fn remarks_ui(ui: &mut Ui, assessment: &Assessment, method: Method) {
+    for remark in report::remarks(assessment, method) {
+        text::caption_ui(ui, capital(&remark.to_string()));
     }
 }
 

@@ -14,7 +14,7 @@ use depth_text::report;
 use depth_text::unit::Unit;
 use egui::accesskit::Role;
 use egui::text::{CCursor, CCursorRange};
-use egui::{Align, Button, Id, Key, Modifiers, Response, RichText, Sense, Stroke, TextEdit, Ui, UiBuilder, vec2};
+use egui::{Align, Button, Id, Key, Modifiers, Rect, Response, RichText, Sense, Stroke, TextEdit, Ui, UiBuilder, vec2};
 
 /// A field of the table, with what was typed into it and what is to be said about that.
 pub struct Field<'a> {
@@ -43,12 +43,12 @@ pub fn id(key: impl Into<FieldKey>) -> Id {
     Id::unique(("field", key.into().as_str()))
 }
 
-/// The label of a field alone, with the link to its helper at the other end of the line.
+/// The label of a field alone, with the link to its helper at the other end of the line. For the link to one that
+/// [comes last](Helper::comes_last) it leaves room.
 pub fn label_ui(ui: &mut Ui, key: FieldKey, helper: Option<Helper>, commands: &mut Vec<Command>) -> Response {
     let palette = theme::palette(ui);
     let height = ui.spacing().interact_size.y;
-    let has_helper = helper.is_some() || key.input.and_then(Helper::at).is_some_and(Helper::comes_last);
-    let line_height = if height >= theme::CONTROL_HEIGHT_TOUCH && has_helper {
+    let line_height = if height >= theme::CONTROL_HEIGHT_TOUCH && helper.is_some() {
         height
     } else {
         theme::LABEL_HEIGHT
@@ -57,29 +57,32 @@ pub fn label_ui(ui: &mut Ui, key: FieldKey, helper: Option<Helper>, commands: &m
     ui.allocate_ui_with_layout(line, egui::Layout::left_to_right(Align::Center), |ui| {
         ui.spacing_mut().interact_size.y = line_height;
         let label = ui.label(RichText::new(key.name).font(theme::strong(theme::BODY_SIZE)).color(palette.text));
-        if let Some(helper) = helper {
-            ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| {
-                helper_ui(ui, helper, line_height, commands)
-            });
+        if let Some(helper) = helper.filter(|helper| !helper.comes_last()) {
+            let line = ui.available_rect_before_wrap();
+            helper_ui(ui, line, helper, commands);
         }
         label
     })
     .inner
 }
 
-/// The link to a helper.
-fn helper_ui(ui: &mut Ui, helper: Helper, height: f32, commands: &mut Vec<Command>) {
+/// The link to a helper, at the end of `line`.
+pub fn helper_ui(ui: &mut Ui, line: Rect, helper: Helper, commands: &mut Vec<Command>) {
+    let layout = egui::Layout::right_to_left(Align::Center);
+    let place = UiBuilder::new().id_salt("helper").max_rect(line).layout(layout);
+    let mut ui = ui.new_child(place);
+    ui.spacing_mut().interact_size.y = line.height();
     let open = Command::Help(Some(helper));
-    let color = theme::palette(ui).blue;
+    let color = theme::palette(&ui).blue;
     let link = Button::new(RichText::new(open.text()).size(theme::SMALL_SIZE).color(color)).frame(false);
-    if ui.add(link.min_size(vec2(0.0, height))).clicked() {
+    if ui.add(link.min_size(vec2(0.0, line.height()))).clicked() {
         commands.push(open);
     }
 }
 
 impl Field<'_> {
-    /// Draws the field, as high as the controls of `ui`.
-    pub fn ui(mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
+    /// Draws the field, as high as the controls of `ui`. Returns the line of its label.
+    pub fn ui(mut self, ui: &mut Ui, commands: &mut Vec<Command>) -> Rect {
         note_line::follow_click(ui, self.id);
         // Nor is there room kept for a σ that the field does not have.
         self.with_sigma &= self.key.has_sigma;
@@ -87,9 +90,8 @@ impl Field<'_> {
         let was_in_use = self.has_focus(ui);
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            let last = self.helper.filter(|helper| helper.comes_last());
             let label_line = ui.available_rect_before_wrap();
-            let label = label_ui(ui, self.key, self.helper.filter(|_| last.is_none()), commands);
+            let label = label_ui(ui, self.key, self.helper, commands);
             let label_line = label_line.with_max_y(ui.min_rect().bottom());
             ui.add_space(theme::STEP);
             let texts = ui.horizontal(|ui| {
@@ -101,15 +103,6 @@ impl Field<'_> {
                 }
                 unit.is_some_and(|unit| unit.has_focus() || unit.lost_focus())
             });
-            if let Some(helper) = last {
-                let height = label_line.height();
-                let place = UiBuilder::new()
-                    .max_rect(label_line)
-                    .layout(egui::Layout::right_to_left(Align::Center));
-                let mut ui = ui.new_child(place);
-                ui.spacing_mut().interact_size.y = height;
-                helper_ui(&mut ui, helper, height, commands);
-            }
             let read_as = self.reading.and_then(report::read_as);
             NoteLine {
                 id: self.id,
@@ -119,7 +112,9 @@ impl Field<'_> {
                 is_in_use: was_in_use || texts.inner || self.has_focus(ui),
             }
             .ui(ui, commands);
-        });
+            label_line
+        })
+        .inner
     }
 
     /// Whether one of its texts has the focus.

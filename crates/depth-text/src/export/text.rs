@@ -42,8 +42,11 @@ impl Exporter for Text {
         let methods = Method::ALL
             .into_iter()
             .flat_map(|method| of_method(inputs, assessment, method, unit));
+        let unknown = assessment.unknown.as_ref();
+        let of_unknown = unknown.map_or_else(Vec::new, |unknown| remarks(assessment, unknown.method));
         let results = solved_for(assessment, unit)
             .into_iter()
+            .chain(of_unknown)
             .chain(methods)
             .chain(comparison(assessment, unit))
             .chain(widths(assessment, unit))
@@ -130,12 +133,20 @@ fn of_method(inputs: &Inputs, assessment: &Assessment, method: Method, unit: Len
     let certainty = uncertainty.into_iter().flat_map(|uncertainty| certainty(STYLE, uncertainty, unit));
     let facing = assessment.geometry.facing.filter(|_| method == Method::Monocular);
     let facing = facing.map(|facing| format!("  {WITHOUT_TILT}: {}", length(Some(facing), unit)));
-    let remarks = report::remarks(assessment, method)
-        .into_iter()
-        .map(|remark| format!("  {}", capital(&remark.to_string())));
     let indented = certainty.map(|line| format!("  {line}"));
-    let below = numbers.into_iter().chain(remarks).chain(one_pixel).chain(facing).chain(indented);
+    let below = numbers
+        .into_iter()
+        .chain(remarks(assessment, method))
+        .chain(one_pixel)
+        .chain(facing)
+        .chain(indented);
     std::iter::once(line).chain(below).collect()
+}
+
+/// What is to be said about the distance of `method`, given or computed.
+fn remarks(assessment: &Assessment, method: Method) -> Vec<String> {
+    let remarks = report::remarks(assessment, method).into_iter();
+    remarks.map(|remark| format!("  {}", capital(&remark.to_string()))).collect()
 }
 
 /// The point in space and the point on the floor.
