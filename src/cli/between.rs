@@ -115,7 +115,7 @@ impl Between {
         };
         let assessment = inputs.assess();
         if let Some(note) = assessment.notes.iter().find(|note| note.severity == Severity::Error) {
-            return Err(Warning::of(note).to_string());
+            return Err(Warning::typed(note, &self.fields).to_string());
         }
         let Some(points) = &assessment.geometry.two_points else {
             let mut options: Vec<String> = Vec::new();
@@ -132,7 +132,7 @@ impl Between {
             }
             return Err(CommandLine::NoWay { options }.to_string());
         };
-        let warnings: Vec<Warning> = assessment.notes.iter().map(Warning::of).collect();
+        let warnings: Vec<Warning> = assessment.notes.iter().map(|note| Warning::typed(note, &self.fields)).collect();
         if self.fields.json {
             return json(points, &warnings);
         }

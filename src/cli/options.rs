@@ -32,6 +32,8 @@ pub(super) struct Typed {
     unit_is_given: bool,
     /// Whether to answer in JSON.
     pub(super) json: bool,
+    /// The option that σ of several fields was typed with, and these.
+    pub(super) shared_sigma: Option<(&'static str, Vec<Key>)>,
 }
 
 /// What was given to `calculate`.
@@ -132,6 +134,7 @@ impl Typed {
             unit: matches.get_one::<LengthUnit>("unit").copied().unwrap_or(LengthUnit::Meter),
             unit_is_given: matches.value_source("unit") == Some(ValueSource::CommandLine),
             json: matches.get_flag("json"),
+            shared_sigma: None,
         }
     }
 
@@ -144,10 +147,13 @@ impl Typed {
         }
     }
 
-    /// Takes the option `option` for what was typed for σ of `keys`.
-    pub(super) fn sigma_of(mut self, matches: &ArgMatches, option: &str, keys: &[Key]) -> Self {
+    /// Takes the option `option` for what was typed for σ of those `keys` that have no option for it, or whose own was not given.
+    pub(super) fn sigma_of(mut self, matches: &ArgMatches, option: &'static str, keys: &[Key]) -> Self {
         if let Some(text) = matches.get_one::<String>(option) {
+            let keys = keys.iter().copied().filter(|&key| !self.is_given(key, Part::Sigma));
+            let keys: Vec<Key> = keys.collect();
             self.typed.extend(keys.iter().map(|&key| (key, Part::Sigma, text.clone())));
+            self.shared_sigma = Some((option, keys));
         }
         self
     }

@@ -83,7 +83,7 @@ impl Step {
         };
         let assessment = inputs.assess();
         if let Some(note) = assessment.notes.iter().find(|note| note.severity == Severity::Error) {
-            return Err(Warning::of(note).to_string());
+            return Err(Warning::typed(note, &self.fields).to_string());
         }
         let Some(shots) = &assessment.geometry.two_shots else {
             let mut missing = missing_for(Section::TwoShots, &inputs);
@@ -93,7 +93,7 @@ impl Step {
             let options = missing.into_iter().map(|key| name(key, Part::Value)).collect();
             return Err(CommandLine::NoWay { options }.to_string());
         };
-        let mut warnings: Vec<Warning> = assessment.notes.iter().map(Warning::of).collect();
+        let mut warnings: Vec<Warning> = assessment.notes.iter().map(|note| Warning::typed(note, &self.fields)).collect();
         if self.fields.json {
             warnings.extend(
                 shots

@@ -1,7 +1,7 @@
 //! What is said about an option without refusing it.
 
 use super::ascii::in_sentence;
-use super::options::name;
+use super::options::{Typed, name};
 use depth_text::field::Key;
 use depth_text::note::{Note, Part};
 use serde::Serialize;
@@ -34,6 +34,14 @@ impl Warning {
         Self {
             field: None,
             message: in_sentence(&sentence.to_string()),
+        }
+    }
+
+    /// What `note` says, at the option that was typed.
+    pub(super) fn typed(note: &Note, typed: &Typed) -> Self {
+        match &typed.shared_sigma {
+            Some((option, keys)) if note.part == Part::Sigma && keys.contains(&note.key) => Self::of_option(option, &note.issue),
+            _ => Self::of(note),
         }
     }
 

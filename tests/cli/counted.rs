@@ -265,3 +265,14 @@ fn everything_can_be_solved_for_in_its_own_unit() {
     let ball = json("--fx 1000 --w-real 0.2 --distance 0.5 --object ball --solve-for w-img");
     near(&ball["solved"]["value"], 408.248, 1e-3);
 }
+
+#[test]
+fn one_sigma_for_several_is_named_as_it_was_typed_and_gives_way_to_one_s_own() {
+    let shots = "step --near-px 1429 --far-px 1162 --step 419.1mm";
+    let mistake = super::run(&format!("{shots} --sigma-px foo"));
+    assert!(String::from_utf8_lossy(&mistake.stderr).contains("--sigma-px: "));
+    let mistake = super::run(&format!("{shots} --sigma-far-px foo --sigma-px 3"));
+    assert!(String::from_utf8_lossy(&mistake.stderr).contains("--sigma-far-px: "));
+    let sigma = |arguments: &str| answer(&format!("{shots} {arguments}"))["sigma_m"].as_f64().unwrap();
+    assert!(sigma("--sigma-far-px 6 --sigma-px 3") > 1.2 * sigma("--sigma-px 3"));
+}
