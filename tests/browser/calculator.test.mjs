@@ -46,6 +46,23 @@ it('the coffee mug is 1.400 m away, by keyboard alone', async (test) => {
   assert.deepEqual(await page.consoleProblems(), []);
 });
 
+it('the arrow keys lead through a choice, which is one stop of the key Tab', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await page.tabTo('Measured: Width');
+  const steps = [[Key.ARROW_RIGHT, 'Measured: Height'], [Key.ARROW_DOWN, 'Measured: Diameter of ball'], [Key.ARROW_LEFT, 'Measured: Height']];
+  for (const [key, name] of steps) {
+    await page.type(key);
+    await until(name, async () => {
+      const active = await page.driver.switchTo().activeElement();
+      return (await active.getAccessibleName()) === name && (await active.isSelected());
+    });
+  }
+  await page.field('Object height in image (w_img)');
+  await page.type(Key.TAB);
+  await until('the next stop', async () => (await (await page.driver.switchTo().activeElement()).getAccessibleName()) === 'Calculate Distance');
+});
+
 it('the keyboard leaves the program again', { needs: ['leave a page with Tab'] }, async (test) => {
   const page = await bench.page(test);
   await page.start();

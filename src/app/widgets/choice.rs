@@ -3,9 +3,10 @@
 use crate::app::theme;
 use depth_text::names::Named;
 use egui::accesskit::{Role, Toggled};
-use egui::{Align, Button, Layout, Rect, RichText, Ui, UiBuilder, vec2};
+use egui::{Align, Button, EventFilter, Id, Key, Layout, Modifiers, Rect, RichText, Sense, Ui, UiBuilder, vec2};
 
-/// Draws the choice of one of `all`, named `group`, in `line`. Returns whether another one was chosen.
+/// Draws the choice of one of `all`, named `group`, in `line`: one stop of the key Tab, among them by the arrow keys. Returns whether
+/// another one was chosen.
 pub fn ui<T: Copy + PartialEq + Named>(ui: &mut Ui, line: Rect, group: &str, all: &[T], chosen: &mut T) -> bool {
     let before = *chosen;
     let is_for_fingers = ui.spacing().interact_size.y >= theme::CONTROL_HEIGHT_TOUCH;
@@ -25,10 +26,15 @@ pub fn ui<T: Copy + PartialEq + Named>(ui: &mut Ui, line: Rect, group: &str, all
     ui.spacing_mut().item_spacing.x = theme::CHOICE_GAP;
     ui.spacing_mut().button_padding.x = theme::CHOICE_PADDING;
     ui.spacing_mut().interact_size.y = height;
-    for &one in all {
-        let is_chosen = *chosen == one;
+    // Only what was chosen when it was drawn can get the focus, so it comes a frame after the key.
+    let coming = ui.scope_id().with("the focus comes");
+    let comes = ui.data_mut(|data| data.remove_temp::<bool>(coming)).is_some();
+    let mut focused = None;
+    for (place, &one) in all.iter().enumerate() {
+        let is_chosen = before == one;
+        let sense = if is_chosen { Sense::click() } else { Sense::CLICK };
         let button = Button::selectable(is_chosen, RichText::new(one.name()).size(theme::SMALL_SIZE));
-        let response = ui.add(button.min_size(vec2(0.0, height)));
+        let response = ui.add(button.min_size(vec2(0.0, height)).sense(sense));
         let name = format!("{group}: {}", one.name());
         ui.accesskit_node_builder(response.id, |node| {
             node.set_role(Role::RadioButton);
@@ -38,6 +44,37 @@ pub fn ui<T: Copy + PartialEq + Named>(ui: &mut Ui, line: Rect, group: &str, all
         if response.clicked() {
             *chosen = one;
         }
+        if is_chosen && comes {
+            response.request_focus();
+        }
+        if response.has_focus() {
+            focused = Some((place, response.id));
+        }
+    }
+    if let Some((place, id)) = focused
+        && let steps = steps(&ui, id)
+        && steps != 0
+        && let Some(next) = (place + all.len()).checked_add_signed(steps)
+        && let Some(&one) = all.get(next % all.len())
+    {
+        *chosen = one;
+        ui.data_mut(|data| data.insert_temp(coming, true));
     }
     *chosen != before
+}
+
+/// How far the arrow keys lead on from the widget `id`, which has the focus.
+fn steps(ui: &Ui, id: Id) -> isize {
+    let arrows = EventFilter {
+        horizontal_arrows: true,
+        vertical_arrows: true,
+        ..Default::default()
+    };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(id, arrows));
+    ui.input_mut(|input| {
+        let mut pressed = |key| input.consume_key(Modifiers::NONE, key);
+        let on = pressed(Key::ArrowRight) | pressed(Key::ArrowDown);
+        let back = pressed(Key::ArrowLeft) | pressed(Key::ArrowUp);
+        isize::from(on) - isize::from(back)
+    })
 }
