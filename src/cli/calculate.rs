@@ -122,7 +122,7 @@ impl Calculate {
             Issue::MissingForUnknown { .. } => {
                 let missing = inputs.missing_for(unknown.method).into_iter();
                 CommandLine::NotSolved {
-                    unknown: Key::from(unknown.field),
+                    unknown: inputs.worded(unknown.field),
                     options: missing.map(|key| name(key, Part::Value)).collect(),
                 }
                 .to_string()

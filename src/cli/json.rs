@@ -167,7 +167,7 @@ fn agreement(assessment: &Assessment) -> Option<Agreement> {
         suspects: assessment
             .suspects()
             .iter()
-            .map(|suspect| in_sentence(&Statement::suspect(suspect).to_string()))
+            .map(|suspect| in_sentence(&Statement::suspect(assessment, suspect).to_string()))
             .collect(),
     })
 }

@@ -5,10 +5,9 @@ use crate::core::problem::Method;
 use crate::core::quantity::LengthUnit;
 use depth_text::assess::{Assessment, Unknown};
 use depth_text::export::{Exporter, Results};
-use depth_text::field::Key;
 use depth_text::geometry::PointOrigin;
 use depth_text::names::Named as _;
-use depth_text::report::{self, ONE_PIXEL, PREDICTED_WIDTH_M, PREDICTED_WIDTH_PX, WITHOUT_TILT, agreement, certainty, formula};
+use depth_text::report::{self, ONE_PIXEL, WITHOUT_TILT, agreement, certainty, formula};
 use depth_text::sentences::Statement;
 use depth_text::style::Style;
 use std::convert::Infallible;
@@ -26,7 +25,7 @@ impl Exporter for Text {
         let style = self.style;
         let mut lines = Vec::new();
         if let Some(unknown) = &assessment.unknown {
-            lines.extend(solved_for(style, unknown, unit));
+            lines.extend(solved_for(style, assessment, unknown, unit));
             lines.extend(indented(remarks(assessment, unknown.method)));
         }
         let combined = solution.combined;
@@ -57,9 +56,9 @@ impl Exporter for Text {
 }
 
 /// "35.00 px (the disparity)"
-fn solved_for(style: Style, unknown: &Unknown, unit: LengthUnit) -> Option<String> {
+fn solved_for(style: Style, assessment: &Assessment, unknown: &Unknown, unit: LengthUnit) -> Option<String> {
     let value = report::unknown(style, unknown, unit)?;
-    Some(format!("{value} ({})", Key::from(unknown.field).noun))
+    Some(format!("{value} ({})", assessment.worded(unknown.field).noun))
 }
 
 fn remarks(assessment: &Assessment, method: Method) -> Vec<String> {
@@ -82,7 +81,7 @@ fn of_method(style: Style, assessment: &Assessment, method: Method, unit: Length
     }
     below.extend(remarks(assessment, method));
     if let Some(uncertainty) = solution.uncertainty(method) {
-        below.extend(certainty(style, uncertainty, unit));
+        below.extend(certainty(style, assessment, uncertainty, unit));
     }
     if method == Method::Stereo
         && let Some(range) = style.one_pixel_range(solution, unit)
@@ -105,11 +104,12 @@ fn widths(style: Style, assessment: &Assessment, unit: LengthUnit) -> Vec<String
     if solution.stereo.distance().is_none() {
         return lines;
     }
+    let [in_image, real] = report::predicted(solution.problem.object);
     if let Some(width) = solution.estimated_width_px {
-        lines.push(format!("{PREDICTED_WIDTH_PX}: {} px", style.number(Some(width.px()))));
+        lines.push(format!("{in_image}: {} px", style.number(Some(width.px()))));
     }
     if let Some(width) = solution.estimated_width {
-        lines.push(format!("{PREDICTED_WIDTH_M}: {}", style.length(Some(width), unit)));
+        lines.push(format!("{real}: {}", style.length(Some(width), unit)));
     }
     if solution.width_discrepancy().is_some() {
         lines.push(format!("  {}", Statement::widths(assessment)));

@@ -2,6 +2,7 @@
 
 use crate::program::{B, D, FX, Program, W_IMG, W_REAL};
 use egui::accesskit::{Role, Toggled};
+use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 const FY: &str = "Focal length along the columns (fy)";
@@ -21,14 +22,18 @@ fn a_height_goes_with_fy_and_a_ball_to_its_center() {
     };
     assert!(is_chosen(&program, "Measured: Width"));
     program.press("Measured: Height");
+    // Not only the sentences below the fields: the names too.
+    assert!(program.harness.query_by_label(W_IMG).is_none());
+    assert_eq!(program.value("Object height in image (w_img)"), "100");
+    assert_eq!(program.value("Object real height (w_real)"), "1.8");
     assert!(is_chosen(&program, "Measured: Height") && !is_chosen(&program, "Measured: Width"));
     assert!(program.says("10.80 m"), "fy is fx where it is not known");
     program.type_into(FY, "853");
     assert!(program.says("15.35 m") && program.says("w_real · fy / w_img"), "{}", program.text());
     program.press("Measured: Diameter of ball");
     program.type_into(FX, "1000");
-    program.type_into(W_IMG, "408.2");
-    program.type_into(W_REAL, "0.2");
+    program.type_into("Ball width in image (w_img)", "408.2");
+    program.type_into("Ball real diameter (w_real)", "0.2");
     assert!(program.says("0.5001 m") && program.says("Actual diameter of the ball."));
 }
 
@@ -163,4 +168,34 @@ fn long_and_short_distances_take_the_next_unit_or_a_power_of_ten() {
         program.type_into(B, baseline);
         assert!(program.says(distance), "{baseline}: {}", program.text());
     }
+}
+
+#[test]
+fn a_choice_is_one_stop_of_tab_and_the_arrows_lead_through_it() {
+    let mut program = Program::new();
+    program.harness.get_by_label("Calculate Distance").focus();
+    program.harness.run();
+    program.harness.key_press_modifiers(Modifiers::SHIFT, Key::Tab);
+    program.harness.run();
+    // The helper of the baseline comes between the choices, as it stands between them.
+    assert_eq!(program.focused(), "Measured: Width");
+    for (key, name) in [
+        (Key::ArrowRight, "Measured: Height"),
+        (Key::ArrowDown, "Measured: Diameter of ball"),
+        (Key::ArrowRight, "Measured: Width"),
+        (Key::ArrowLeft, "Measured: Diameter of ball"),
+        (Key::ArrowUp, "Measured: Height"),
+    ] {
+        program.harness.key_press(key);
+        program.harness.run();
+        assert_eq!(program.focused(), name);
+        let node = program.harness.get_by_role_and_label(Role::RadioButton, name);
+        assert_eq!(node.accesskit_node().toggled(), Some(Toggled::True), "{name}");
+    }
+    program.harness.key_press_modifiers(Modifiers::SHIFT, Key::Tab);
+    program.harness.run();
+    assert_eq!(program.focused(), "not square…");
+    program.harness.key_press_modifiers(Modifiers::SHIFT, Key::Tab);
+    program.harness.run();
+    assert_eq!(program.focused(), "Cameras: Side by side");
 }

@@ -83,12 +83,16 @@ impl Said {
                 self.statement(&statement);
             }
             for suspect in &assessment.suspects() {
-                self.statement(&Statement::suspect(suspect));
+                self.statement(&Statement::suspect(&assessment, suspect));
             }
             if solution.combined.is_some() {
                 self.statement(&Statement::Combined);
             }
-            let causes = Method::ALL.map(|method| solution.uncertainty(method).and_then(Statement::main_cause));
+            let causes = Method::ALL.map(|method| {
+                solution
+                    .uncertainty(method)
+                    .and_then(|known| Statement::main_cause(&assessment, known))
+            });
             causes.into_iter().flatten().for_each(|cause| self.statement(&cause));
             for key in Method::ALL.iter().filter_map(|&method| Some(assessment.refusal(method)?.key)) {
                 self.statement(&Statement::SeeNote { key });

@@ -14,7 +14,7 @@ use depth_core::judge;
 use depth_core::measured::Measured;
 use depth_core::problem::{Field, Method, Problem, Solution, Solved};
 use depth_core::quantity::Length;
-use depth_core::setup::{Object, Pair};
+use depth_core::setup::Object;
 
 /// What the form means.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,6 +67,12 @@ impl Assessment {
     pub fn distance(&self, method: Method) -> Option<Length> {
         let is_given = self.unknown.as_ref().is_some_and(|unknown| unknown.method == method);
         self.solution.outcome(method).distance().filter(|_| !is_given)
+    }
+
+    /// The field `key` in the words of [what is measured](Key::worded).
+    pub fn worded(&self, key: impl Into<Key>) -> Key {
+        let problem = &self.solution.problem;
+        key.into().worded(problem.object, problem.pair)
     }
 
     /// Whether the field `key` is what is solved for.
@@ -213,7 +219,7 @@ impl Inputs {
             problem::set(&mut problem, reading);
         }
         notes.extend(mixed);
-        for key in Key::form() {
+        for key in Key::form().map(|key| self.worded(key)) {
             let reading = readings.iter().find(|reading| reading.key == key);
             notes.extend(problem::judge(&mut problem, key, self.entry(key), reading, self.offset()));
             if !self.counts_sigma(key) {
@@ -251,7 +257,7 @@ impl Inputs {
     /// What can be read of the fields of the form, and notes on the rest but for what is solved for.
     fn read_fields(&self, notes: &mut Vec<Note>) -> Vec<Reading> {
         let mut readings = Vec::new();
-        for key in Key::form() {
+        for key in Key::form().map(|key| self.worded(key)) {
             match reading::read(key, self.entry(key)) {
                 Ok(reading) => readings.extend(reading),
                 Err(note) if !self.is_solved_for(key) => notes.push(note),
@@ -299,6 +305,7 @@ impl Inputs {
     /// Adds what a complete but useless method has to say, and what a σ out of all proportion is.
     fn note_refusals(&self, solution: &Solution, readings: &[Reading], notes: &mut Vec<Note>) {
         for (key, refusal) in problem::refusals(solution) {
+            let key = self.worded(key);
             notes.retain(|note| (note.key, note.part, note.severity) != (key, Part::Value, Severity::Warning));
             if !notes.iter().any(|note| (note.key, note.part) == (key, Part::Value)) {
                 let reading = readings.iter().find(|reading| reading.key == key);
@@ -308,71 +315,12 @@ impl Inputs {
         if let Some(field) = solution.unusable_sigma
             && !notes.iter().any(|note| (note.key, note.part) == (field.into(), Part::Sigma))
         {
-            let key = field.into();
+            let key = self.worded(field);
             notes.push(Note::of_sigma(key, Issue::SigmaOutOfProportion { key }));
         }
     }
 
-    /// What is still missing of each method that was touched (or, if none was, of both), field by field with a sentence.
-    ///
-    /// A field with something unreadable in it is not missing: it has a note of its own.
-    pub fn missing(&self) -> Vec<Note> {
-        let touched = |method: &Method| self.is_begun(*method);
-        let mut missing: Vec<Note> = Vec::new();
-        let any_touched = Method::ALL.iter().any(touched);
-        for method in Method::ALL.into_iter().filter(touched) {
-            for key in self.missing_for(method) {
-                if !missing.iter().any(|note| note.key == key) {
-                    missing.push(Note::error(key, Issue::Missing { key, method }));
-                }
-            }
-        }
-        if !any_touched {
-            missing.push(if self.lacks(Field::FocalLength) {
-                Note::error(fields::FOCAL_LENGTH, Issue::MissingFocalLength)
-            } else {
-                Note::error(fields::BASELINE, Issue::MissingMethod)
-            });
-        }
-        if self.unknown.is_some() && self.entry(fields::DISTANCE).is_blank() {
-            let key = fields::DISTANCE;
-            missing.push(Note::error(key, Issue::MissingForUnknown { key }));
-        }
-        missing.sort_by_key(|note| note.key);
-        missing
-    }
-
-    /// What the distance of `method` still needs, in reading order of its formula.
-    pub fn missing_for(&self, method: Method) -> Vec<Key> {
-        let lacking = method.fields().into_iter().filter(|&field| self.is_missing_for(method, field));
-        lacking.map(Key::from).collect()
-    }
-
-    /// Whether `method` needs `field` and nothing is in it, nor in what takes its place: fy, or an angle, which needs no focal length.
-    fn is_missing_for(&self, method: Method, field: Field) -> bool {
-        if field != Field::FocalLength {
-            return self.lacks(field);
-        }
-        let (extent, in_rows) = match method {
-            Method::Stereo => (fields::DISPARITY, self.pair == Pair::Vertical),
-            Method::Monocular => (fields::IMAGE_WIDTH, self.object == Object::Height),
-        };
-        let reading = reading::read(extent, self.entry(extent)).ok().flatten();
-        let by_angle = !self.is_solved_for(extent) && reading.is_some_and(|reading| matches!(reading.unit, Some(Unit::Angle(_))));
-        self.lacks(field) && !by_angle && (!in_rows || self.lacks(Field::Fy))
-    }
-
-    /// Whether something is in a field that only `method` needs.
-    pub fn is_begun(&self, method: Method) -> bool {
-        method.own_fields().into_iter().any(|field| !self.lacks(field))
-    }
-
-    /// Whether nothing is in `field` and it is not what is solved for.
-    pub fn lacks(&self, field: Field) -> bool {
-        self.entry(field).is_blank() && !self.is_solved_for(field.into())
-    }
-
-    fn is_solved_for(&self, key: Key) -> bool {
+    pub(crate) fn is_solved_for(&self, key: Key) -> bool {
         self.unknown.is_some_and(|(_, field)| key == field)
     }
 

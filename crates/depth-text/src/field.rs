@@ -233,8 +233,8 @@ impl FieldSpec {
 
 /// The name of a field, by which everything is kept: entries, notes, readings, links, options and ids.
 ///
-/// There is a key for each field of the [table](crate::fields::TABLE) and none other; it is as good as the
-/// [`FieldSpec`] itself.
+/// There is a key for each field of the [table](crate::fields::TABLE), and of some a second one in [other words](Key::worded), which is
+/// the same key; it is as good as the [`FieldSpec`] itself.
 #[derive(Clone, Copy)]
 pub struct Key(&'static FieldSpec);
 

@@ -508,6 +508,46 @@ table! {
     };
 }
 
+/// Makes a [`Key`] of the field `$of` in other words.
+macro_rules! in_other_words {
+    ($($name:ident = $of:ident { $($words:tt)* })*) => {
+        $(pub(crate) const $name: Key = {
+            const SPEC: FieldSpec = FieldSpec { $($words)*, ..*$of.spec() };
+            Key::of(&SPEC)
+        };)*
+    };
+}
+
+in_other_words! {
+    IMAGE_HEIGHT = IMAGE_WIDTH {
+        name: "Object height in image (w_img)", noun: "the height in the image",
+        hint: "Height of the object in the image, in rows.",
+        description: "Object’s height in the image"
+    }
+    REAL_HEIGHT = REAL_WIDTH {
+        name: "Object real height (w_real)", noun: "the real height",
+        hint: "Actual physical height of the object.",
+        description: "Object’s actual physical height"
+    }
+    BALL_IN_IMAGE = IMAGE_WIDTH {
+        name: "Ball width in image (w_img)",
+        hint: "Width of the ball, with it in the middle of the image.",
+        description: "Ball’s width in the middle of the image"
+    }
+    BALL_DIAMETER = REAL_WIDTH {
+        name: "Ball real diameter (w_real)", noun: "the diameter",
+        hint: "Actual diameter of the ball.",
+        description: "Ball’s actual diameter"
+    }
+    VERTICAL_BASELINE = BASELINE {
+        hint: "From the upper camera to the lower one."
+    }
+    VERTICAL_DISPARITY = DISPARITY {
+        hint: "Vertical shift between the two images, in rows.",
+        description: "Vertical pixel difference"
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -96,23 +96,9 @@ impl Inputs {
         }
     }
 
-    /// The sentence under the field `key`, as what is measured has it.
-    pub fn hint(&self, key: Key) -> &'static str {
-        if key == fields::DISPARITY && self.pair == Pair::Vertical {
-            "Vertical shift between the two images, in rows."
-        } else if key == fields::BASELINE && self.pair == Pair::Vertical {
-            "From the upper camera to the lower one."
-        } else if key == fields::IMAGE_WIDTH && self.object == Object::Height {
-            "Height of the object in the image, in rows."
-        } else if key == fields::REAL_WIDTH && self.object == Object::Height {
-            "Actual physical height of the object."
-        } else if key == fields::IMAGE_WIDTH && self.object == Object::Ball {
-            "Width of the ball, with it in the middle of the image."
-        } else if key == fields::REAL_WIDTH && self.object == Object::Ball {
-            "Actual diameter of the ball."
-        } else {
-            key.spec().hint
-        }
+    /// The field `key` in the words of what is chosen: of a height or a ball, of cameras one above the other.
+    pub fn worded(&self, key: impl Into<Key>) -> Key {
+        key.into().worded(self.object, self.pair)
     }
 
     /// Whether fy counts for more than a point in space: a height or a vertical pair is measured.

@@ -16,6 +16,7 @@ pub mod form;
 pub mod geometry;
 pub mod link;
 mod lookup;
+mod missing;
 pub mod names;
 pub mod note;
 pub mod number;

@@ -3,6 +3,7 @@
 use crate::field::{Key, Section};
 use crate::fields;
 use depth_core::problem::Field;
+use depth_core::setup::{Object, Pair};
 use serde::{Deserialize, Deserializer};
 use std::cmp::Ordering;
 
@@ -30,6 +31,21 @@ impl Key {
             return None;
         }
         Self::form().chain([fields::DISTANCE]).find(is_called)
+    }
+
+    /// The same field in the words of what is measured by it.
+    pub fn worded(self, object: Object, pair: Pair) -> Self {
+        let words = match (object, pair) {
+            (Object::Height, _) if self == fields::IMAGE_WIDTH => fields::IMAGE_HEIGHT,
+            (Object::Height, _) if self == fields::REAL_WIDTH => fields::REAL_HEIGHT,
+            (Object::Ball, _) if self == fields::IMAGE_WIDTH => fields::BALL_IN_IMAGE,
+            (Object::Ball, _) if self == fields::REAL_WIDTH => fields::BALL_DIAMETER,
+            (_, Pair::Vertical) if self == fields::BASELINE => fields::VERTICAL_BASELINE,
+            (_, Pair::Vertical) if self == fields::DISPARITY => fields::VERTICAL_DISPARITY,
+            _ => self,
+        };
+        debug_assert!(words == self, "other words make no other field");
+        words
     }
 
     fn position(self) -> usize {

@@ -3,9 +3,12 @@
 
 use depth_core::problem::{Field, Method};
 use depth_core::quantity::LengthUnit;
+use depth_core::setup::Object;
 use depth_text::export::{Exporter as _, Results, Text};
 use depth_text::field::Key;
 use depth_text::form::{Example, Inputs};
+use depth_text::report;
+use depth_text::sentences::Statement;
 
 fn form(fields: &[(&str, &str)]) -> Inputs {
     let mut inputs = Inputs::default();
@@ -100,4 +103,38 @@ fn a_refusal_is_said_once() {
     assert_lines(&text, &["Stereo distance, D = fx · b / d: none; see the note on the disparity"]);
     inputs.entry_mut(Field::Disparity).text.clear();
     assert_lines(&copied(&inputs, LengthUnit::Meter), &["Stereo distance, D = fx · b / d: needs d"]);
+}
+
+#[test]
+fn nothing_speaks_of_a_width_where_a_height_is_measured() {
+    let both = [
+        ("fx", "700"),
+        ("b", "100"),
+        ("d", "50"),
+        ("wimg", "150 ± 2"),
+        ("wreal", "0.30 ± 0.01"),
+        ("fy", "710"),
+    ];
+    let refused = [("fx", "700"), ("wimg", "-150"), ("wreal", "0")];
+    for fields in [&both[..], &both[..4], &refused] {
+        let inputs = Inputs {
+            object: Object::Height,
+            ..form(fields)
+        };
+        let assessment = inputs.assess();
+        let suspects = assessment.suspects();
+        let mut said = vec![copied(&inputs, LengthUnit::Meter)];
+        said.extend(suspects.iter().map(|suspect| Statement::suspect(&assessment, suspect).to_string()));
+        said.extend(inputs.missing().iter().map(|note| note.message()));
+        said.push(Statement::widths(&assessment).to_string());
+        said.extend(
+            report::parameter_rows(&assessment, LengthUnit::Meter)
+                .into_iter()
+                .map(|row| format!("{} {}", row.parameter, row.description)),
+        );
+        said.extend(report::predicted(inputs.object));
+        for text in said {
+            assert!(!text.to_lowercase().contains("width"), "{text}");
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! The cards of the results: which there are, and their titles.
 
-use crate::core::problem::{Field, Method};
+use crate::core::problem::Method;
 use depth_text::field::{Key, Section};
 use depth_text::names::Named as _;
 
@@ -8,7 +8,7 @@ use depth_text::names::Named as _;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Card {
     /// The quantity that was solved for, where it is not the distance.
-    Solved(Field),
+    Solved(Key),
     /// No method has a distance yet.
     NoResult,
     /// The distance by one method, or why there is none.
@@ -45,7 +45,7 @@ impl Card {
     /// Its title, which is also its accessible name.
     pub fn title(self) -> &'static str {
         match self {
-            Self::Solved(field) => Key::from(field).name,
+            Self::Solved(key) => key.name,
             Self::NoResult => "Result",
             Self::Distance(method) => method.name(),
             Self::Combined => "Combined",

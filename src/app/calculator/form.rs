@@ -118,17 +118,15 @@ fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, key: Key, marked: bool) -> Rec
     let (inputs, assessment) = cx.session.parts();
     if let Some(unknown) = assessment.unknown.as_ref().filter(|unknown| key == unknown.field) {
         let line = ui.available_rect_before_wrap();
-        let label = field::label_ui(ui, key, helper, cx.commands);
+        let label = field::label_ui(ui, inputs.worded(key), helper, cx.commands);
         unknown::solution_ui(ui, unknown, unit);
         return line.with_max_y(label.rect.bottom());
     }
     let missing = assessment.missing.iter().find(|note| marked && note.key == key);
     let value_note = assessment.note(key).or(missing);
     let before = inputs.entry(key).clone();
-    let hint = inputs.hint(key);
     let field = Field {
-        key,
-        hint,
+        key: inputs.worded(key),
         reading: assessment.reading(key),
         notes: value_note.into_iter().chain(assessment.sigma_note(key)).collect(),
         with_sigma: inputs.with_uncertainty,

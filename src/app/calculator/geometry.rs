@@ -104,7 +104,6 @@ fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, section: Section) {
             reading: assessment.reading(key),
             notes: assessment.notes.iter().filter(|note| note.key == key).collect(),
             with_sigma: true,
-            hint: key.hint,
             helper: None,
             id: field::id(key),
             submits: false,

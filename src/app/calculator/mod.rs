@@ -210,13 +210,13 @@ fn intermediate_ui(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
         || depth_text::number::NO_NUMBER.to_owned(),
         |width| depth_text::number::significant(width.px(), report::DIGITS),
     );
-    let estimated_width = report::estimated_width_name(unit);
+    let estimated_width = report::estimated_width_name(solution.problem.object, unit);
     let of_method = |method| (report::distance_name(method), length(solution.outcome(method).distance()));
     let combined = solution
         .combined
         .map(|combined| (report::COMBINED_DISTANCE, length(Some(combined.value))));
     let widths = [
-        (report::ESTIMATED_WIDTH_PX, format!("{width_px} px")),
+        (report::estimated_width_px_name(solution.problem.object), format!("{width_px} px")),
         (estimated_width.as_str(), length(solution.estimated_width)),
     ];
     let rows: Vec<_> = widths.into_iter().chain(Method::ALL.map(of_method)).chain(combined).collect();

@@ -68,7 +68,9 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let solution = &assessment.solution;
     let has_distance = |method| assessment.distance(method).is_some();
     if let Some(unknown) = &assessment.unknown {
-        card_ui(ui, Card::Solved(unknown.field), |ui| solved_ui(ui, assessment, unknown, unit));
+        card_ui(ui, Card::Solved(assessment.worded(unknown.field)), |ui| {
+            solved_ui(ui, assessment, unknown, unit)
+        });
     } else if !Method::ALL.into_iter().any(has_distance) {
         card_ui(ui, Card::NoResult, |ui| empty_ui(ui, cx));
         return;
@@ -135,14 +137,14 @@ fn combined_ui(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
         }
     }
     for suspect in assessment.suspects().iter().take(3) {
-        text::caption_ui(ui, format!("• {}", Statement::suspect(suspect)));
+        text::caption_ui(ui, format!("• {}", Statement::suspect(assessment, suspect)));
     }
 }
 
 /// The quantity that was solved for.
 fn solved_ui(ui: &mut Ui, assessment: &Assessment, unknown: &Unknown, unit: LengthUnit) {
     let palette = theme::palette(ui);
-    let name = Key::from(unknown.field).name;
+    let name = assessment.worded(unknown.field).name;
     text::badge_ui(ui, &format!("{}: {name}", unknown.method.name()), palette.green, palette.green_tint);
     match report::unknown_in_parts(unknown, unit) {
         Some([value, unit]) => {
@@ -207,7 +209,7 @@ fn result_ui(ui: &mut Ui, assessment: &Assessment, method: Method, unit: LengthU
         (Some(distance), Some(uncertainty)) => {
             let [value, with_sigma] = report::measured_parts(Measured::new(distance, uncertainty.sigma), unit);
             number_ui(ui, &value, &with_sigma, &name);
-            let cause = Statement::main_cause(uncertainty).map_or_else(String::new, |cause| format!(" · {cause}"));
+            let cause = Statement::main_cause(assessment, uncertainty).map_or_else(String::new, |cause| format!(" · {cause}"));
             text::caption_ui(ui, format!("{}{cause}", report::interval(uncertainty, unit)));
         }
         _ => {

@@ -46,7 +46,7 @@ pub fn ui(ui: &mut Ui, assessment: &Assessment, unit_of_results: LengthUnit) {
                         ..cell(ui, &value, theme::strong(size), Role::Cell)
                     },
                     cell(ui, if narrow { &symbol } else { &unit }, theme::regular(size), Role::Cell),
-                    cell(ui, description, theme::regular(size), Role::Cell),
+                    cell(ui, &description, theme::regular(size), Role::Cell),
                 ];
                 row_ui(ui, cells, &shares);
             }

@@ -7,8 +7,9 @@ use crate::app::sentences::{Description, Hint};
 use crate::app::theme;
 use crate::app::widgets::{cards, picture, progress, text};
 use crate::core::monte_carlo::{Distribution, Quantiles};
-use crate::core::problem::{Field, Method, Solution};
+use crate::core::problem::{Field, Method};
 use crate::core::quantity::{Length, LengthUnit};
+use depth_text::assess::Assessment;
 use depth_text::report;
 use depth_text::sentences::Statement;
 use depth_text::sentences::{percent, short_name};
@@ -17,10 +18,10 @@ use egui::{Align2, Color32, Rect, Sense, Ui, Vec2, pos2, vec2};
 /// Draws the cards of each method whose distance has a σ.
 pub fn ui(ui: &mut Ui, cx: &AppContext<'_>, simulations: &Simulations) {
     let (columns, gap, unit) = (cx.layout.columns(), cx.layout.gap(), cx.unit());
-    let solution = &cx.session.assessment().solution;
+    let assessment = cx.session.assessment();
     let methods: Vec<Method> = Method::ALL
         .into_iter()
-        .filter(|&method| solution.uncertainty(method).is_some())
+        .filter(|&method| assessment.solution.uncertainty(method).is_some())
         .collect();
     let simulated = |method: &Method| !matches!(simulations.of(*method), Simulation::None);
     let budgets = methods.iter().copied().map(Card::Budget).collect::<Vec<_>>();
@@ -29,7 +30,7 @@ pub fn ui(ui: &mut Ui, cx: &AppContext<'_>, simulations: &Simulations) {
         cards::row_ui(ui, row, gap, |ui, card, row| {
             cards::card_ui(ui, card, card.title(), |ui| {
                 match card {
-                    Card::Budget(method) => budget_ui(ui, solution, method, unit),
+                    Card::Budget(method) => budget_ui(ui, assessment, method, unit),
                     Card::Simulation(method) => simulation_ui(ui, method, simulations.of(method), unit),
                     _ => {}
                 }
@@ -51,9 +52,11 @@ fn color_of(ui: &Ui, field: Field) -> Color32 {
 }
 
 /// One bar, cut into the shares of the variance, over a line for each.
-fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit) {
+fn budget_ui(ui: &mut Ui, assessment: &Assessment, method: Method, unit: LengthUnit) {
     let palette = theme::palette(ui);
-    let Some(uncertainty) = solution.uncertainty(method) else { return };
+    let Some(uncertainty) = assessment.solution.uncertainty(method) else {
+        return;
+    };
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::BUDGET_BAR_HEIGHT), Sense::hover());
     let mut x = rect.left();
     for share in &uncertainty.budget {
@@ -64,14 +67,20 @@ fn budget_ui(ui: &mut Ui, solution: &Solution, method: Method, unit: LengthUnit)
         ui.painter()
             .vline(x, rect.y_range(), egui::Stroke::new(theme::STRONG_LINE, palette.surface));
     }
-    picture::describe(ui, &response, Card::Budget(method).title(), &Description::Budget { uncertainty });
+    let shares = report::budget(assessment, uncertainty);
+    picture::describe(
+        ui,
+        &response,
+        Card::Budget(method).title(),
+        &Description::Budget { shares: &shares },
+    );
     ui.add_space(theme::STEP);
     for share in uncertainty.budget.iter().filter(|share| share.share > 0.0) {
         let line = vec2(ui.available_width(), theme::LEGEND_HEIGHT);
         ui.allocate_ui_with_layout(line, egui::Layout::left_to_right(egui::Align::Center), |ui| {
             let (dot, _) = ui.allocate_exact_size(Vec2::splat(theme::LEGEND_MARK), Sense::hover());
             ui.painter().rect_filled(dot, theme::MARK_RADIUS, color_of(ui, share.source));
-            ui.label(format!("{} {}", short_name(share.source), percent(share.share)));
+            ui.label(format!("{} {}", short_name(assessment.worded(share.source)), percent(share.share)));
         });
     }
     if let Some(bias) = uncertainty.notable_bias() {

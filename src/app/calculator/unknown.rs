@@ -9,8 +9,8 @@ use crate::app::widgets::text;
 use crate::core::problem::{Field, Method};
 use crate::core::quantity::LengthUnit;
 use depth_text::assess::Unknown;
-use depth_text::field::Key;
 use depth_text::fields;
+use depth_text::form::Inputs;
 use depth_text::names::Named as _;
 use depth_text::number::NO_NUMBER;
 use depth_text::report;
@@ -20,8 +20,8 @@ use egui::{ComboBox, RichText, Sense, Ui, vec2};
 /// What is offered first.
 pub const FIRST: (Method, Field) = (Method::Stereo, Field::Disparity);
 
-fn name((method, field): (Method, Field)) -> String {
-    format!("{}: {}", method.name(), Key::from(field).name)
+fn name(inputs: &Inputs, (method, field): (Method, Field)) -> String {
+    format!("{}: {}", method.name(), inputs.worded(field).name)
 }
 
 /// Draws the choice and the distance, where something else than the distance is solved for. With `marked`, that it is missing is said
@@ -33,12 +33,12 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
     text::card_heading_ui(ui, "Solve for");
     ComboBox::from_id_salt("solve for")
         .width(ui.available_width())
-        .selected_text(name(before))
+        .selected_text(name(inputs, before))
         .show_ui(ui, |ui| {
             let all = Method::ALL
                 .into_iter()
                 .flat_map(|method| method.unknowns().map(move |field| (method, field)));
-            let choices = all.map(|choice| (Some(choice), name(choice)));
+            let choices = all.map(|choice| (Some(choice), name(inputs, choice)));
             for (choice, name) in std::iter::once((None, "Distance (D)".to_owned())).chain(choices) {
                 if ui.selectable_value(&mut chosen, choice, name).clicked() {
                     ui.close();
@@ -61,7 +61,6 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
         reading: assessment.reading(key),
         notes: value_note.into_iter().chain(assessment.sigma_note(key)).collect(),
         with_sigma,
-        hint: key.hint,
         helper: None,
         id: field::id(key),
         submits: true,

@@ -2,7 +2,7 @@
 
 use super::hint::{Hint, grouped};
 use crate::core::monte_carlo::Histogram;
-use crate::core::problem::{Method, Origin, Solution, Uncertainty};
+use crate::core::problem::{Method, Origin, Solution};
 use crate::core::quantity::{Length, LengthUnit, Pixels};
 use depth_text::names::Named as _;
 use depth_text::sentences::percent;
@@ -20,7 +20,7 @@ pub enum Description<'a> {
     /// The scene from above.
     TopView(TopView<'a>),
     /// The bar of the shares of the variance.
-    Budget { uncertainty: &'a Uncertainty },
+    Budget { shares: &'a str },
     /// The histogram of so many simulated distances.
     Histogram {
         histogram: &'a Histogram,
@@ -66,7 +66,7 @@ impl Display for Description<'_> {
                 }
             }
             Self::TopView(view) => view.fmt(f),
-            Self::Budget { uncertainty } => write!(f, "Shares of the variance: {}.", report::budget(uncertainty)),
+            Self::Budget { shares } => write!(f, "Shares of the variance: {shares}."),
             Self::Histogram { histogram, draws, unit } => write!(
                 f,
                 "Histogram of {} simulated distances from {} to {}, {} of the draws beyond.",
@@ -171,7 +171,7 @@ mod tests {
                 unit,
                 is_from_side: false,
             }),
-            Description::Budget { .. } => Description::Budget { uncertainty: solution.stereo_uncertainty.as_ref().unwrap() },
+            Description::Budget { .. } => Description::Budget { shares: "disparity 75 %, baseline 25 %" },
             Description::Histogram { .. } => Description::Histogram { histogram: &histogram, draws: 100, unit },
         ];
         descriptions.extend([

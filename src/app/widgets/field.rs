@@ -20,8 +20,6 @@ use egui::{Align, Button, Id, Key, Modifiers, Rect, Response, RichText, Sense, S
 pub struct Field<'a> {
     /// Which field.
     pub key: FieldKey,
-    /// The sentence under it.
-    pub hint: &'static str,
     /// What is typed. Edits go straight into it.
     pub entry: &'a mut Entry,
     /// What it means, where it could be read.
@@ -106,7 +104,7 @@ impl Field<'_> {
             let read_as = self.reading.and_then(report::read_as);
             NoteLine {
                 id: self.id,
-                hint: read_as.as_deref().unwrap_or(self.hint),
+                hint: read_as.as_deref().unwrap_or(self.key.hint),
                 notes: self.notes(),
                 field: texts.response.rect.with_min_y(label.rect.top()),
                 is_in_use: was_in_use || texts.inner || self.has_focus(ui),

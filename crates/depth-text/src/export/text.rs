@@ -10,8 +10,8 @@ use crate::names::Named as _;
 use crate::note::{Part, Severity};
 use crate::number::{exact, significant};
 use crate::report::{
-    self, DIGITS, ESTIMATED_WIDTH_PX, ONE_PIXEL, WITHOUT_TILT, agreement, certainty, estimated_width_name, formula, formula_with_numbers,
-    length, one_pixel_range, point_origin, unknown,
+    self, DIGITS, ONE_PIXEL, WITHOUT_TILT, agreement, certainty, estimated_width_name, estimated_width_px_name, formula,
+    formula_with_numbers, length, one_pixel_range, point_origin, unknown,
 };
 use crate::sentences::{Statement, capital, needs, quoted};
 use crate::style::Style;
@@ -32,7 +32,7 @@ impl Exporter for Text {
     fn export(&self, &Results { inputs, assessment, unit }: &Results<'_>) -> Result<String, Infallible> {
         let mut lines = vec!["Depth Calculator".to_owned(), String::new(), "Inputs".to_owned()];
         for key in Key::form().filter(|key| !key.is_optional || !inputs.entry(*key).is_blank()) {
-            lines.push(format!("  {}: {}", key.name, input(inputs, assessment, key)));
+            lines.push(format!("  {}: {}", inputs.worded(key).name, input(inputs, assessment, key)));
         }
         if assessment.unknown.is_some() {
             lines.push(format!("  {}: {}", DISTANCE.name, input(inputs, assessment, DISTANCE)));
@@ -95,7 +95,7 @@ fn input(inputs: &Inputs, assessment: &Assessment, key: Key) -> String {
 /// What was solved for.
 fn solved_for(assessment: &Assessment, unit: LengthUnit) -> Option<String> {
     let solved = assessment.unknown.as_ref()?;
-    let name = Key::from(solved.field).name;
+    let name = assessment.worded(solved.field).name;
     let value = unknown(STYLE, solved, unit).or_else(|| report::why_unsolved(assessment, solved))?;
     Some(format!("{name} of the {} distance: {value}", solved.method.name().to_lowercase()))
 }
@@ -130,7 +130,9 @@ fn of_method(inputs: &Inputs, assessment: &Assessment, method: Method, unit: Len
     let one_pixel = one_pixel_range(solution, unit).filter(|_| method == Method::Stereo);
     let one_pixel = one_pixel.map(|range| format!("  with {ONE_PIXEL}: {range}"));
     let uncertainty = solution.uncertainty(method);
-    let certainty = uncertainty.into_iter().flat_map(|uncertainty| certainty(STYLE, uncertainty, unit));
+    let certainty = uncertainty
+        .into_iter()
+        .flat_map(|uncertainty| certainty(STYLE, assessment, uncertainty, unit));
     let facing = assessment.geometry.facing.filter(|_| method == Method::Monocular);
     let facing = facing.map(|facing| format!("  {WITHOUT_TILT}: {}", length(Some(facing), unit)));
     let indented = certainty.map(|line| format!("  {line}"));
@@ -184,17 +186,18 @@ fn comparison(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
 /// The widths that the distance predicts.
 fn widths(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
     let solution = &assessment.solution;
+    let object = solution.problem.object;
     let mut lines = Vec::new();
     if let Some(width) = solution.estimated_width_px {
         let (rounded, exact) = (significant(width.px(), DIGITS), exact(width.px()));
-        lines.push(format!("{ESTIMATED_WIDTH_PX}: {rounded} px (unrounded {exact} px)"));
+        lines.push(format!("{}: {rounded} px (unrounded {exact} px)", estimated_width_px_name(object)));
     }
     if let Some(width) = solution.estimated_width {
         let unit = STYLE.unit_of(width, unit);
         let (rounded, exact) = (length(Some(width), unit), exact(width.in_unit(unit)));
         lines.push(format!(
             "{}: {rounded} (unrounded {exact} {})",
-            estimated_width_name(unit),
+            estimated_width_name(object, unit),
             unit.symbol()
         ));
     }

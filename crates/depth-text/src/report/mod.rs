@@ -8,7 +8,7 @@ use crate::names::{self, Named};
 use crate::note::Issue;
 use crate::number::Notation;
 use crate::reading::Reading;
-use crate::sentences::{Statement, needs, percent, short_name};
+use crate::sentences::{Statement, capital, needs, percent, short_name, sizes};
 use crate::style::Style;
 use crate::unit::Unit;
 use depth_core::angle::AngleUnit;
@@ -16,6 +16,7 @@ use depth_core::in_image::InImage;
 use depth_core::measured::Measured;
 use depth_core::problem::{Method, Solution, Solved, Uncertainty};
 use depth_core::quantity::{Length, LengthUnit};
+use depth_core::setup::Object;
 
 mod places;
 
@@ -113,7 +114,7 @@ pub struct Row {
     /// "px" or "m", where there is no room for that.
     pub symbol: String,
     /// What it means.
-    pub description: &'static str,
+    pub description: String,
 }
 
 /// The rows of the table: the inputs that everybody has as they were typed, then what follows, its lengths in `unit`.
@@ -125,13 +126,14 @@ pub fn parameter_rows(assessment: &Assessment, unit: LengthUnit) -> Vec<Row> {
 
 /// The input `key` as it was typed; `None` where it is no input of a distance.
 fn input_row(assessment: &Assessment, key: Key) -> Option<Row> {
+    let words = assessment.worded(key);
     let value = assessment.solution.problem.get(key.input?);
     let typed = assessment
         .reading(key)
         .filter(|_| value.is_some() && !assessment.is_solved_for(key));
     let unit = typed.map_or_else(|| key.kind.default_unit(), |reading| reading.unit);
     Some(Row {
-        parameter: key.spec().name.to_owned(),
+        parameter: words.name.to_owned(),
         value: match typed {
             Some(reading) => reading.number_text.clone(),
             None => STYLE.number(value.map(|value| unit.map_or(value, |unit| unit.from_base(value)))),
@@ -141,20 +143,27 @@ fn input_row(assessment: &Assessment, key: Key) -> Option<Row> {
             unit => unit.map_or("", Named::name).to_owned(),
         },
         symbol: unit.map_or_else(String::new, |unit| unit.to_string()),
-        description: key.spec().description,
+        description: words.spec().description.to_owned(),
     })
 }
 
 /// What follows from the inputs, its lengths in `unit`; the combined distance where there is one.
 fn output_rows(solution: &Solution, unit: LengthUnit) -> impl Iterator<Item = Row> {
-    let row = |parameter: &str, value, unit: Unit, description| Row {
+    let object = solution.problem.object;
+    let [in_image, real] = predicted(object);
+    let by_size = match object {
+        Object::Width => "Distance from the object’s known width",
+        Object::Height => "Distance from the object’s known height",
+        Object::Ball => "Distance from the ball’s known diameter",
+    };
+    let row = |parameter: &str, value, unit: Unit, description: &str| Row {
         parameter: parameter.to_owned(),
         value: STYLE.number(value),
         unit: unit.name().to_owned(),
         symbol: unit.symbol().to_owned(),
-        description,
+        description: description.to_owned(),
     };
-    let length = |name: &str, length: Option<Length>, description| {
+    let length = |name: &str, length: Option<Length>, description: &str| {
         let unit = length.map_or(unit, |length| STYLE.unit_of(length, unit));
         row(name, length.map(|length| length.in_unit(unit)), Unit::Length(unit), description)
     };
@@ -164,22 +173,14 @@ fn output_rows(solution: &Solution, unit: LengthUnit) -> impl Iterator<Item = Ro
     });
     let rows = [
         row(
-            ESTIMATED_WIDTH_PX,
+            estimated_width_px_name(object),
             solution.estimated_width_px.map(|width| width.px()),
             Unit::Pixel,
-            "Width in the image that the real width and the distance predict",
+            &in_image,
         ),
-        length(
-            &estimated_width_name(unit),
-            solution.estimated_width,
-            "Real width that the width in the image and the distance predict",
-        ),
+        length(&estimated_width_name(object, unit), solution.estimated_width, &real),
         length(distance_name(Method::Stereo), solution.stereo.distance(), "Distance from disparity"),
-        length(
-            distance_name(Method::Monocular),
-            solution.monocular.distance(),
-            "Distance from the object’s known width",
-        ),
+        length(distance_name(Method::Monocular), solution.monocular.distance(), by_size),
     ];
     rows.into_iter().chain(combined)
 }
@@ -195,39 +196,53 @@ pub const fn distance_name(method: Method) -> &'static str {
 /// Name of the combined distance in a table.
 pub const COMBINED_DISTANCE: &str = "Object distance (D, combined)";
 
-/// Name of w_real·fx/D.
-pub const ESTIMATED_WIDTH_PX: &str = "Estimated object width (pixels)";
+/// Name of w_real·fx/D: "Estimated object width (pixels)".
+pub const fn estimated_width_px_name(object: Object) -> &'static str {
+    match object {
+        Object::Width => "Estimated object width (pixels)",
+        Object::Height => "Estimated object height (pixels)",
+        Object::Ball => "Estimated ball width (pixels)",
+    }
+}
+
 /// Name of w_img·D/fx in `unit`: "Estimated object width (meters)".
-pub fn estimated_width_name(unit: LengthUnit) -> String {
-    format!("Estimated object width ({})", unit.name())
+pub fn estimated_width_name(object: Object, unit: LengthUnit) -> String {
+    let size = match object {
+        Object::Width => "object width",
+        Object::Height => "object height",
+        Object::Ball => "ball diameter",
+    };
+    format!("Estimated {size} ({})", unit.name())
 }
 /// What the monocular distance would be without the tilt.
 pub const WITHOUT_TILT: &str = "without the tilt";
-/// What w_real·fx/D is, where there is no table to explain its name.
-pub const PREDICTED_WIDTH_PX: &str = "Width in the image that the real width predicts";
-/// What w_img·D/fx is, where there is no table to explain its name.
-pub const PREDICTED_WIDTH_M: &str = "Real width that the width in the image predicts";
+/// What w_real·fx/D and w_img·D/fx are: "Width in the image that the real width predicts", "Real width that the width in the image
+/// predicts".
+pub fn predicted(object: Object) -> [String; 2] {
+    let [in_image, real] = sizes(object);
+    [(in_image, real), (real, in_image)].map(|(of, by)| format!("{} that {by} predicts", capital(of.trim_start_matches("the "))))
+}
 
 /// The change that [`one_pixel_range`] is about.
 pub const ONE_PIXEL: &str = "one pixel of disparity more or less";
 
 /// Where the variance comes from: "disparity 75 %, baseline 19 %, focal length 6 %", the largest first.
-pub fn budget(uncertainty: &Uncertainty) -> String {
+pub fn budget(assessment: &Assessment, uncertainty: &Uncertainty) -> String {
     let mut shares = uncertainty.budget.to_vec();
     shares.sort_by(|a, b| b.share.total_cmp(&a.share));
     shares
         .iter()
         .filter(|share| share.share > 0.0)
-        .map(|share| format!("{} {}", short_name(share.source), percent(share.share)))
+        .map(|share| format!("{} {}", short_name(assessment.worded(share.source)), percent(share.share)))
         .collect::<Vec<_>>()
         .join(", ")
 }
 
 /// How sure the distance is that `uncertainty` belongs to, a line each: the interval, the shares, and whether ± σ misleads.
-pub fn certainty(style: Style, uncertainty: &Uncertainty, unit: LengthUnit) -> Vec<String> {
+pub fn certainty(style: Style, assessment: &Assessment, uncertainty: &Uncertainty, unit: LengthUnit) -> Vec<String> {
     let mut lines = vec![
         format!("1 σ interval: {}", style.interval(uncertainty, unit)),
-        format!("variance: {}", budget(uncertainty)),
+        format!("variance: {}", budget(assessment, uncertainty)),
     ];
     if !uncertainty.model.first_order_is_good() {
         let has_simulation = style.has_simulation;
@@ -240,7 +255,9 @@ pub fn certainty(style: Style, uncertainty: &Uncertainty, unit: LengthUnit) -> V
 pub fn agreement(assessment: &Assessment) -> Vec<String> {
     let agreement = Statement::comparison(assessment);
     let suspects = assessment.suspects();
-    let statements = agreement.into_iter().chain(suspects.iter().map(Statement::suspect));
+    let statements = agreement
+        .into_iter()
+        .chain(suspects.iter().map(|suspect| Statement::suspect(assessment, suspect)));
     statements.map(|statement| statement.to_string()).collect()
 }
 

@@ -10,4 +10,4 @@ mod words;
 
 pub use command_line::CommandLine;
 pub use statement::{Pair, Statement};
-pub use words::{capital, needs, percent, quoted, short_name};
+pub use words::{capital, needs, percent, quoted, short_name, sizes};

@@ -1,6 +1,6 @@
 //! What follows from the numbers: whether two distances agree, what to look at if not, and how good a description is.
 
-use super::words::{capital, percent, short_name};
+use super::words::{capital, percent, short_name, sizes};
 use crate::assess::Assessment;
 use crate::field::Key;
 use crate::names::Named as _;
@@ -10,6 +10,7 @@ use crate::variants::variants;
 use depth_core::agreement::{Agreement, Suspect, Verdict};
 use depth_core::problem::{Field, Method, Uncertainty};
 use depth_core::quantity::{Length, LengthUnit};
+use depth_core::setup::Object;
 use std::fmt::{self, Display, Formatter};
 
 variants! {
@@ -36,7 +37,7 @@ variants! {
         /// What the combined distance is.
         Combined,
         /// The input behind most of the variance, and its share.
-        MainCause { source: Field, share: f64 },
+        MainCause { key: Key, share: f64 },
         /// Why there is no distance is said at this field.
         SeeNote { key: Key },
 
@@ -52,15 +53,15 @@ variants! {
         LargestSigma { key: Key },
 
         /// The widths are what the stereo distance predicts.
-        WidthsAgree { is_given: bool },
+        WidthsAgree { is_given: bool, object: Object },
         /// The widths are off by this fraction.
-        WidthsDiffer { off: f64, is_given: bool },
+        WidthsDiffer { off: f64, is_given: bool, object: Object },
         /// A width is missing.
-        WidthsNeeded { is_given: bool },
+        WidthsNeeded { is_given: bool, object: Object },
         /// Without a stereo distance there is nothing to check.
         WidthsRepeat,
         /// Neither distance is there.
-        WidthsCheck,
+        WidthsCheck { object: Object },
 
         /// σ alone would mislead; the interval does not, nor does the simulation where there is one.
         FirstOrderIsPoor { has_simulation: bool },
@@ -96,40 +97,45 @@ impl Statement {
     }
 
     /// The input behind most of the variance.
-    pub fn main_cause(uncertainty: &Uncertainty) -> Option<Self> {
+    pub fn main_cause(assessment: &Assessment, uncertainty: &Uncertainty) -> Option<Self> {
         let cause = uncertainty.main_cause()?;
         Some(Self::MainCause {
-            source: cause.source,
+            key: assessment.worded(cause.source),
             share: cause.share,
         })
     }
 
     /// What a suspect is suspected of.
-    pub fn suspect(suspect: &Suspect) -> Self {
+    pub fn suspect(assessment: &Assessment, suspect: &Suspect) -> Self {
+        let worded = |source: Field| assessment.worded(source);
         match *suspect {
             Suspect::RawDisparity { scale } => Self::RawDisparity { scale },
             Suspect::Unit { source, taken, meant } => Self::UnitSlip {
-                key: source.into(),
+                key: worded(source),
                 taken,
                 meant,
             },
-            Suspect::Resized { source, times } => Self::OtherSize { key: source.into(), times },
-            Suspect::NoSigma(source) => Self::NoSigma { key: source.into() },
-            Suspect::LargestSigma(source) => Self::LargestSigma { key: source.into() },
+            Suspect::Resized { source, times } => Self::OtherSize {
+                key: worded(source),
+                times,
+            },
+            Suspect::NoSigma(source) => Self::NoSigma { key: worded(source) },
+            Suspect::LargestSigma(source) => Self::LargestSigma { key: worded(source) },
         }
     }
 
     /// How far the entered widths are off what the stereo distance predicts, or what would be needed to know.
     pub fn widths(assessment: &Assessment) -> Self {
         let solution = &assessment.solution;
+        let object = solution.problem.object;
         let has = |method| solution.outcome(method).distance().is_some();
         let is_given = has(Method::Stereo) && assessment.distance(Method::Stereo).is_none();
         match solution.width_discrepancy() {
-            Some(off) if off.abs() < 0.0005 => Self::WidthsAgree { is_given },
-            Some(off) => Self::WidthsDiffer { off, is_given },
-            None if has(Method::Stereo) => Self::WidthsNeeded { is_given },
+            Some(off) if off.abs() < 0.0005 => Self::WidthsAgree { is_given, object },
+            Some(off) => Self::WidthsDiffer { off, is_given, object },
+            None if has(Method::Stereo) => Self::WidthsNeeded { is_given, object },
             None if has(Method::Monocular) => Self::WidthsRepeat,
-            None => Self::WidthsCheck,
+            None => Self::WidthsCheck { object },
         }
     }
 }
@@ -213,9 +219,9 @@ impl Display for Statement {
             Self::NatoMil => f.write_str("A mil is 1/6400 of the circle here (NATO), 0.98175 mrad; that of many rifle scopes is the mrad"),
             Self::OnePixelEach => f.write_str("± is for 1 px in each width, as no uncertainty was typed"),
             Self::Combined => f.write_str("combined, the shared focal length accounted for"),
-            Self::MainCause { source, share } => {
+            Self::MainCause { key, share } => {
                 let how = if share >= 0.5 { "mostly" } else { "most of it" };
-                write!(f, "{how} from {} ({})", short_name(source), percent(share))
+                write!(f, "{how} from {} ({})", short_name(key), percent(share))
             }
             Self::SeeNote { key } => write!(f, "none; see the note on {}", key.noun),
             Self::RawDisparity { scale } => write!(
@@ -243,27 +249,35 @@ impl Display for Statement {
             ),
             Self::NoSigma { key } => write!(f, "{} is taken to be exact. How well is it known?", capital(key.noun)),
             Self::LargestSigma { key } => write!(f, "{} has the largest uncertainty: measure it again.", capital(key.noun)),
-            Self::WidthsAgree { is_given } => write!(
+            Self::WidthsAgree { is_given, object } => write!(
                 f,
-                "Computed from the {} distance, as a check: both widths agree with what you entered to within 0.1 %.",
-                from(is_given)
-            ),
-            Self::WidthsDiffer { off, is_given } => write!(
-                f,
-                "Computed from the {} distance, as a check. The width in the image is {} % {} than the real width predicts: one of the two, or the distance, is off.",
+                "Computed from the {} distance, as a check: both {} agree with what you entered to within 0.1 %.",
                 from(is_given),
-                significant(off.abs() * 100.0, 2),
-                if off > 0.0 { "larger" } else { "smaller" }
+                both(object)
             ),
-            Self::WidthsNeeded { is_given } => write!(
+            Self::WidthsDiffer { off, is_given, object } => write!(
                 f,
-                "Computed from the {} distance. Enter both widths to check one method against the other.",
-                from(is_given)
+                "Computed from the {} distance, as a check. {} is {} % {} than {} predicts: one of the two, or the distance, is off.",
+                from(is_given),
+                capital(sizes(object)[0]),
+                significant(off.abs() * 100.0, 2),
+                if off > 0.0 { "larger" } else { "smaller" },
+                sizes(object)[1]
+            ),
+            Self::WidthsNeeded { is_given, object } => write!(
+                f,
+                "Computed from the {} distance. Enter both {} to check one method against the other.",
+                from(is_given),
+                both(object)
             ),
             Self::WidthsRepeat => f.write_str(
                 "Without a stereo distance these only repeat what you entered. Enter a baseline and a disparity to make them a check.",
             ),
-            Self::WidthsCheck => f.write_str("Computed from the stereo distance, as a check on the widths you entered."),
+            Self::WidthsCheck { object } => write!(
+                f,
+                "Computed from the stereo distance, as a check on the {} you entered.",
+                both(object)
+            ),
             Self::FirstOrderIsPoor { has_simulation: true } => f.write_str(
                 "What is measured in the image is known to worse than 10 %: ± σ is a poor description here, the interval and the simulation are right.",
             ),
@@ -271,6 +285,15 @@ impl Display for Statement {
                 f.write_str("What is measured in the image is known to worse than 10 %: plus or minus σ is a poor description here, the interval is right.")
             }
         }
+    }
+}
+
+/// What is compared with what the distance predicts: "widths".
+const fn both(object: Object) -> &'static str {
+    match object {
+        Object::Width => "widths",
+        Object::Height => "heights",
+        Object::Ball => "sizes",
     }
 }
 

@@ -1,7 +1,8 @@
 //! Pieces of sentences.
 
 use crate::field::Key;
-use depth_core::problem::Field;
+use crate::fields;
+use depth_core::setup::{Object, Pair};
 
 /// `text` with a capital first letter.
 pub fn capital(text: &str) -> String {
@@ -43,9 +44,15 @@ pub fn quoted(text: &str) -> String {
     quoted
 }
 
+/// What of the object is measured, in the image and in the world, in the middle of a sentence: "the width in the image", "the real
+/// width".
+pub fn sizes(object: Object) -> [&'static str; 2] {
+    [fields::IMAGE_WIDTH, fields::REAL_WIDTH].map(|key| key.worded(object, Pair::default()).noun)
+}
+
 /// A field in the middle of a sentence about causes: "disparity".
-pub fn short_name(field: Field) -> &'static str {
-    Key::from(field).noun.trim_start_matches("the ")
+pub fn short_name(key: Key) -> &'static str {
+    key.noun.trim_start_matches("the ")
 }
 
 /// A share of a whole, "75 %".

@@ -164,7 +164,6 @@ fn way_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
             reading: result.readings.iter().find(|reading| reading.key == key),
             notes: result.notes.iter().filter(|note| note.key == key).collect(),
             with_sigma: false,
-            hint: key.hint,
             helper: None,
             id: field::id(key),
             submits: false,

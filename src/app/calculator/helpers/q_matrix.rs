@@ -111,7 +111,6 @@ fn squares_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, s
         notes: square.and_then(|read| read.as_ref().err()).into_iter().collect(),
         entry: cx.settings.entries.entry_mut(key),
         with_sigma: false,
-        hint: key.hint,
         helper: None,
         id: field::id(key),
         submits: false,
