@@ -44,14 +44,15 @@
 //! # Without a window
 //!
 //! ```
+//! use depth_calculator::core::in_image::InImage;
 //! use depth_calculator::core::measured::Measured;
 //! use depth_calculator::core::problem::Problem;
-//! use depth_calculator::core::quantity::{Length, LengthUnit, Pixels};
+//! use depth_calculator::core::quantity::{Length, LengthUnit};
 //!
 //! let mug = Problem {
-//!     focal_length: Some(Measured::exact(Pixels::new(700.0))),
+//!     focal_length: Some(InImage::from_px(700.0)),
 //!     baseline: Some(Measured::exact(Length::new(10.0, LengthUnit::Centimeter))),
-//!     disparity: Some(Measured::exact(Pixels::new(50.0))),
+//!     disparity: Some(InImage::from_px(50.0)),
 //!     ..Problem::default()
 //! };
 //! assert_eq!(mug.solve().stereo.distance(), Some(Length::from_m(1.4)));
