@@ -14,6 +14,7 @@ use depth_text::fields;
 use depth_text::form::Inputs;
 use depth_text::names::Named as _;
 use depth_text::note::{Issue, Part, Severity};
+use depth_text::report;
 use depth_text::sentences::{CommandLine, Statement};
 
 impl Calculate {
@@ -86,6 +87,8 @@ impl Calculate {
             unit: self.fields.unit,
         };
         if self.fields.json {
+            let mut warnings = warnings;
+            warnings.extend(remarks(&assessment));
             let answer = Json { warnings: &warnings }.export(&results);
             return answer.map(Reply::without_warnings).map_err(|error| error.to_string());
         }
@@ -181,7 +184,10 @@ impl Calculate {
         if assessment.geometry.point.is_some() || self.solve_for.is_some() {
             return None;
         }
-        let has_distance = |method: &Method| assessment.solution.outcome(*method).distance().is_some();
+        let solution = &assessment.solution;
+        // One width predicts the other with the same focal length.
+        let has_width = solution.estimated_width.is_some() || solution.estimated_width_px.is_some();
+        let has_distance = |method: &Method| solution.outcome(*method).distance().is_some() || (*method == Method::Monocular && has_width);
         let mut methods = Method::ALL.into_iter().filter(has_distance).peekable();
         methods.peek()?;
         let by_angle = |method: Method| {
@@ -255,4 +261,27 @@ fn is_beside_the_answer(assessment: &Assessment, key: Key) -> bool {
     let is_answered = |&method: &Method| matches!(assessment.solution.outcome(method), Outcome::Distance(_));
     let is_of_point = assessment.geometry.point.is_some() && key == fields::FOCAL_LENGTH;
     !is_of_point && Method::ALL.into_iter().filter(is_answered).all(|method| !belongs(method))
+}
+
+/// What the text says below a distance, for an answer that is not text.
+fn remarks(assessment: &Assessment) -> Vec<Warning> {
+    let mut remarks: Vec<Warning> = Vec::new();
+    for method in Method::ALL {
+        let extent = match method {
+            Method::Stereo => fields::DISPARITY,
+            Method::Monocular => fields::IMAGE_WIDTH,
+        };
+        for remark in report::remarks(assessment, method) {
+            let key = if matches!(remark, Statement::LensAdded { .. }) {
+                fields::FX_LENS
+            } else {
+                extent
+            };
+            let remark = Warning::new(key, Part::Value, &remark);
+            if !remarks.contains(&remark) {
+                remarks.push(remark);
+            }
+        }
+    }
+    remarks
 }

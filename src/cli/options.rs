@@ -187,6 +187,7 @@ impl Typed {
         let empty = |(_, _, text): &&(Key, Part, String)| text.trim().is_empty() || is_begun(text.trim());
         // Field by field, as they are asked for.
         match self.typed.iter().filter(empty).min_by_key(|(key, part, _)| (*key, *part)) {
+            Some((key, part, text)) if !text.trim().is_empty() => Err(CommandLine::EmptySigma { option: name(*key, *part) }.to_string()),
             Some((key, part, _)) => Err(CommandLine::EmptyOption { option: name(*key, *part) }.to_string()),
             None => Ok(()),
         }

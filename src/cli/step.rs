@@ -93,13 +93,13 @@ impl Step {
             let options = missing.into_iter().map(|key| name(key, Part::Value)).collect();
             return Err(CommandLine::NoWay { options }.to_string());
         };
+        let remarks = report::shots_remarks(&assessment, shots);
         let mut warnings: Vec<Warning> = assessment.notes.iter().map(|note| Warning::typed(note, &self.fields)).collect();
         if self.fields.json {
-            warnings.extend(
-                shots
-                    .is_one_pixel_each
-                    .then(|| Warning::of_option(SIGMA_PX, &Statement::OnePixelEach)),
-            );
+            warnings.extend(remarks.iter().map(|remark| {
+                let option = if *remark == Statement::OnePixelEach { SIGMA_PX } else { "lens" };
+                Warning::of_option(option, remark)
+            }));
             return json(shots, &warnings);
         }
         let lines = report::two_shots(self.fields.style(), &shots.solution, self.fields.unit);
@@ -108,8 +108,8 @@ impl Step {
             let indent = if place == 0 { "" } else { "  " };
             text.push_str(&format!("{indent}{value} ({})\n", what.to_lowercase()));
         }
-        if shots.is_one_pixel_each {
-            text.push_str(&format!("  {}\n", Statement::OnePixelEach));
+        for remark in remarks {
+            text.push_str(&format!("  {remark}\n"));
         }
         Ok(Reply {
             text: in_sentence(&text),

@@ -42,7 +42,7 @@ impl Exporter for Text {
         lines.extend(widths(style, assessment, unit));
         if let Some((origin, point)) = &assessment.geometry.point {
             let depth = style.measured(point.z, unit);
-            let point = report::point(style, point, unit).map(|(name, value)| format!("{name}: {value}"));
+            let point = report::point(style, &solution.problem, point, unit).map(|(name, value)| format!("{name}: {value}"));
             // What was asked for with a range alone comes first.
             if *origin == PointOrigin::Range {
                 lines.push(format!("{depth} ({})", report::DEPTH_OF_RANGE));

@@ -8,7 +8,7 @@ use serde::Serialize;
 use std::fmt::{self, Display, Formatter};
 
 /// What is to be said about an option without refusing it.
-#[derive(Serialize)]
+#[derive(PartialEq, Serialize)]
 pub(super) struct Warning {
     /// The option without its dashes; none where it is about the results.
     pub(super) field: Option<String>,

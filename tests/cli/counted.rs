@@ -276,3 +276,74 @@ fn one_sigma_for_several_is_named_as_it_was_typed_and_gives_way_to_one_s_own() {
     let sigma = |arguments: &str| answer(&format!("{shots} {arguments}"))["sigma_m"].as_f64().unwrap();
     assert!(sigma("--sigma-far-px 6 --sigma-px 3") > 1.2 * sigma("--sigma-px 3"));
 }
+
+#[test]
+fn an_angle_that_may_be_half_of_the_world_has_its_near_end_at_zero() {
+    for extent in ["170 ± 20°", "45 ± 180°"] {
+        for others in [["--w-real", "1", "--w-img"], ["--baseline", "1m", "--disparity"]] {
+            let answer = answer_to(&[&others[..], &[extent]].concat());
+            let method = if others[0] == "--w-real" { "monocular" } else { "stereo" };
+            assert_eq!(answer[method]["near_m"].as_f64(), Some(0.0), "{answer}");
+        }
+    }
+}
+
+#[test]
+fn every_answer_says_that_the_lens_counts_and_which_mil_it_is() {
+    let warns = |answer: &Value, field: &str, words: &str| {
+        let warnings = answer["warnings"].as_array().unwrap();
+        let of_field = |warning: &&Value| warning["field"] == field && warning["message"].as_str().unwrap().contains(words);
+        warnings.iter().filter(of_field).count()
+    };
+    let shots = "step --far-px 1162 --near-px 1429 --step 419.1mm --sigma-px 3";
+    assert_eq!(warns(&answer(&format!("{shots} --lens 50mm")), "lens", "more than 1 %"), 1);
+    assert_eq!(warns(&answer(&format!("{shots} --lens 5mm")), "lens", ""), 0);
+    let pair = json("--fx 4000 --lens 16mm --baseline 20mm --disparity 400 --w-img 400 --w-real 20mm");
+    assert_eq!(warns(&pair, "lens", "more than 1 %"), 1, "once, though both distances have it");
+    assert_eq!(warns(&answer_to(&["--w-img", "3 mil", "--w-real", "1 yd"]), "w-img", "1/6400"), 1);
+}
+
+#[test]
+fn a_tape_that_starts_behind_the_object_is_said_to() {
+    for zero in ["1900mm", "3m"] {
+        let mistake = super::run(&format!(
+            "step --far-px 1162 --near-px 1429 --step 419.1mm --sigma-px 3 --zero {zero}"
+        ));
+        let said = String::from_utf8_lossy(&mistake.stderr).into_owned();
+        assert!(said.contains("--zero: The tape would start beyond the object"), "{said}");
+    }
+    let point = "calculate --fx 700 --baseline 100mm --disparity 50 --cx 640 --cy 360 --u 1000 --v 360";
+    assert!(text(point).0.join("\n").contains("R, range from the lens"));
+    assert!(
+        text(&format!("{point} --zero 30mm"))
+            .0
+            .join("\n")
+            .contains("R, range from where the tape starts")
+    );
+}
+
+#[test]
+fn fy_is_used_where_only_a_width_is_predicted_with_it() {
+    for other in ["--w-img 100", "--w-real 1.8"] {
+        let answer = json(&format!("--fx 600 --fy 853 --baseline 100 --disparity 50 {other} --object height"));
+        let warnings = answer["warnings"].as_array().unwrap();
+        assert!(warnings.iter().all(|warning| warning["field"] != "fy"), "{answer}");
+    }
+}
+
+#[test]
+fn marks_of_direction_around_a_number_are_none_of_it() {
+    for disparity in [
+        "\u{200f}50 px\u{200f}",
+        "\u{200e}50\u{200e}",
+        "\u{2068}50\u{2069}",
+        "\u{202b}50 px\u{202c}",
+    ] {
+        let answer = answer_to(&["--fx", "700", "--baseline", "100", "--disparity", disparity]);
+        assert_eq!(answer["stereo"]["distance_m"].as_f64(), Some(1.4), "{disparity:?}");
+    }
+    let turned = run_words(&["calculate", "--fx", "700", "--baseline", "100", "--disparity", "\u{202e}05"]);
+    assert_eq!(turned.status.code(), Some(2), "what is seen as 50 is no 5");
+    let half = run_words(&["calculate", "--fx", "700", "--baseline", "100", "--disparity", "50 ±"]);
+    assert!(String::from_utf8_lossy(&half.stderr).contains("Nothing stands behind"));
+}

@@ -183,9 +183,21 @@ pub fn assert_complete(variants: &BTreeSet<String>, command_line: &str) {
     let missing: Vec<String> = issues.chain(statements).filter(|name| !variants.contains(name)).collect();
     assert!(missing.is_empty(), "no case in tests/sentences/cases has {missing:?}");
 
-    // What the command line writes is text: one example of each variant, as some case has it.
-    let examples = [
+    let examples = examples();
+    assert_eq!(examples.iter().map(variant).collect::<Vec<_>>(), CommandLine::NAMES);
+    for example in examples {
+        assert!(
+            command_line.contains(&example.to_string()),
+            "no case in tests/sentences/cases has: {example}"
+        );
+    }
+}
+
+/// What the command line writes is text: one example of each variant, as some case has it.
+fn examples() -> Vec<CommandLine> {
+    vec![
         CommandLine::EmptyOption { option: "fx".into() },
+        CommandLine::EmptySigma { option: "fx".into() },
         CommandLine::NoDistance {
             ways: vec![
                 (vec!["baseline".into(), "disparity".into()], "Stereo"),
@@ -232,12 +244,5 @@ pub fn assert_complete(variants: &BTreeSet<String>, command_line: &str) {
             file: "assets/fonts/Inter-Regular.ttf".into(),
         },
         CommandLine::UnusedSigma { option: "w-real".into() },
-    ];
-    assert_eq!(examples.each_ref().map(variant).as_slice(), CommandLine::NAMES);
-    for example in examples {
-        assert!(
-            command_line.contains(&example.to_string()),
-            "no case in tests/sentences/cases has: {example}"
-        );
-    }
+    ]
 }

@@ -132,7 +132,7 @@ impl Model {
         let larger = if value + sigma < PI {
             extent(value + sigma) - 1.0
         } else {
-            f64::MAX
+            f64::INFINITY
         };
         [larger, 1.0 - extent((value - sigma).max(0.0))]
     }

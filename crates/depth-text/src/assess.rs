@@ -191,7 +191,8 @@ impl Inputs {
         if self.object == Object::Ball && solution.problem.tilt.is_some() {
             notes.push(Note::warning(fields::TILT, Issue::BallHasNoTilt));
         }
-        notes.sort_by_key(|note| (note.key, note.part));
+        // An error takes the place of a warning.
+        notes.sort_by_key(|note| (note.key, note.part, note.severity != Severity::Error));
         notes.dedup_by_key(|note| (note.key, note.part));
         Assessment {
             solution,

@@ -116,7 +116,7 @@ table! {
         option: option(
             "fy",
             "Focal length along the columns, for heights, vertical pairs and points; without it, fx",
-            "1 σ of fy; without it, that of fx",
+            "1 σ of fy; without it, that of fx in proportion",
         ),
         has_sigma: true,
         ..BLANK
@@ -150,7 +150,7 @@ table! {
         hint: "cx right minus cx left; added to the disparity.",
         signed: true, is_optional: true,
         input: Some(Field::Doffs), section: Some(Section::Stereo),
-        option: option("doffs", "cx of the right camera minus cx of the left one, added to the disparity", "1 σ of doffs"),
+        option: option("doffs", "cx of the right camera minus cx of the left one, added to the disparity; with --pair vertical, cy of the lower camera minus cy of the upper one", "1 σ of doffs"),
         ..INPUT
     };
     /// w_img, px, an angle or a length on the sensor
@@ -541,6 +541,9 @@ in_other_words! {
     }
     VERTICAL_BASELINE = BASELINE {
         hint: "From the upper camera to the lower one."
+    }
+    VERTICAL_DOFFS = DOFFS {
+        hint: "cy of the lower camera minus that of the upper one; added to the disparity."
     }
     VERTICAL_DISPARITY = DISPARITY {
         hint: "Vertical shift between the two images, in rows.",

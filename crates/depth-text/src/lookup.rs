@@ -41,6 +41,7 @@ impl Key {
             (Object::Ball, _) if self == fields::IMAGE_WIDTH => fields::BALL_IN_IMAGE,
             (Object::Ball, _) if self == fields::REAL_WIDTH => fields::BALL_DIAMETER,
             (_, Pair::Vertical) if self == fields::BASELINE => fields::VERTICAL_BASELINE,
+            (_, Pair::Vertical) if self == fields::DOFFS => fields::VERTICAL_DOFFS,
             (_, Pair::Vertical) if self == fields::DISPARITY => fields::VERTICAL_DISPARITY,
             _ => self,
         };

@@ -11,7 +11,7 @@ use crate::app::widgets::text;
 use depth_text::field::Section;
 use depth_text::geometry::missing_for;
 use depth_text::report;
-use depth_text::sentences::{Statement, capital, needs};
+use depth_text::sentences::{capital, needs};
 use depth_text::style::Style;
 use egui::Ui;
 
@@ -45,9 +45,10 @@ type Contents = fn(&mut Ui, &mut AppContext<'_>);
 
 fn range_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     fields_ui(ui, cx, Section::Point);
-    if let Some((origin, point)) = cx.session.assessment().geometry.point {
+    let assessment = cx.session.assessment();
+    if let Some((origin, point)) = assessment.geometry.point {
         text::caption_ui(ui, format!("Z {}", report::point_origin(origin)));
-        let rows = report::point(Style::WINDOW, &point, cx.unit());
+        let rows = report::point(Style::WINDOW, &assessment.solution.problem, &point, cx.unit());
         super::table::pairs_ui(ui, "Point and range", &rows);
     }
     text::caption_ui(ui, Hint::DepthOrRange.to_string());
@@ -73,11 +74,12 @@ fn ground_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
 
 fn two_shots_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     fields_ui(ui, cx, Section::TwoShots);
-    if let Some(shots) = &cx.session.assessment().geometry.two_shots {
+    let assessment = cx.session.assessment();
+    if let Some(shots) = &assessment.geometry.two_shots {
         let rows = report::two_shots(Style::WINDOW, &shots.solution, cx.unit());
         super::table::pairs_ui(ui, Section::TwoShots.name(), &rows);
-        if shots.is_one_pixel_each {
-            text::caption_ui(ui, capital(&Statement::OnePixelEach.to_string()));
+        for remark in report::shots_remarks(assessment, shots) {
+            text::caption_ui(ui, capital(&remark.to_string()));
         }
     }
     text::caption_ui(ui, Hint::TwoShots.to_string());

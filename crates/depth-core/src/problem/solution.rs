@@ -288,9 +288,22 @@ impl Solution {
     /// ```
     pub fn added_lens(&self, method: Method) -> Option<Length> {
         let distance = self.outcome(method).distance()?;
-        let lens = self.problem.lens?;
         let model = self.problem.without_sigmas().model(method)?.ok()?;
-        (model.is_in_pixels() && lens.m() > NOTABLE_LENS * distance.m()).then_some(lens)
+        self.notable_lens(distance).filter(|_| model.is_in_pixels())
+    }
+
+    /// The focal length of the lens where it is more than 1 % of `distance`.
+    ///
+    /// ```
+    /// # use depth_core::problem::Problem;
+    /// # use depth_core::quantity::Length;
+    /// let lens = Some(Length::from_m(0.05));
+    /// let solution = Problem { lens, ..Problem::default() }.solve();
+    /// assert_eq!(solution.notable_lens(Length::from_m(2.0)), lens);
+    /// assert_eq!(solution.notable_lens(Length::from_m(10.0)), None);
+    /// ```
+    pub fn notable_lens(&self, distance: Length) -> Option<Length> {
+        self.problem.lens.filter(|lens| lens.m() > NOTABLE_LENS * distance.m())
     }
 
     /// How far the entered image width is off what the stereo distance and the real width predict, as a fraction of the

@@ -5,7 +5,6 @@ use crate::assess::Assessment;
 use crate::field::{Key, Section};
 use crate::fields::DISTANCE;
 use crate::form::Inputs;
-use crate::geometry::Geometry;
 use crate::names::Named as _;
 use crate::note::{Part, Severity};
 use crate::number::{exact, significant};
@@ -50,7 +49,7 @@ impl Exporter for Text {
             .chain(methods)
             .chain(comparison(assessment, unit))
             .chain(widths(assessment, unit))
-            .chain(geometry(&assessment.geometry, unit));
+            .chain(geometry(assessment, unit));
         lines.extend(results.map(|line| format!("  {line}")));
         for note in &assessment.notes {
             lines.push(format!("  Note on {}: {}", note.key.name, note.issue));
@@ -152,12 +151,13 @@ fn remarks(assessment: &Assessment, method: Method) -> Vec<String> {
 }
 
 /// The point in space and the point on the floor.
-fn geometry(geometry: &Geometry, unit: LengthUnit) -> Vec<String> {
+fn geometry(assessment: &Assessment, unit: LengthUnit) -> Vec<String> {
+    let geometry = &assessment.geometry;
     let mut lines = Vec::new();
     let indented = |(name, value): (&'static str, String)| format!("  {name}: {value}");
     if let Some((origin, point)) = &geometry.point {
         lines.push(format!("Point in space, {}", point_origin(*origin)));
-        lines.extend(report::point(STYLE, point, unit).map(indented));
+        lines.extend(report::point(STYLE, &assessment.solution.problem, point, unit).map(indented));
     }
     if let Some(ground) = &geometry.ground {
         lines.push("Ground plane".to_owned());
@@ -166,7 +166,11 @@ fn geometry(geometry: &Geometry, unit: LengthUnit) -> Vec<String> {
     if let Some(shots) = &geometry.two_shots {
         lines.push(Section::TwoShots.name().to_owned());
         lines.extend(report::two_shots(STYLE, &shots.solution, unit).into_iter().map(indented));
-        lines.extend(shots.is_one_pixel_each.then(|| format!("  {}", Statement::OnePixelEach)));
+        lines.extend(
+            report::shots_remarks(assessment, shots)
+                .into_iter()
+                .map(|remark| format!("  {remark}")),
+        );
     }
     if let Some(points) = &geometry.two_points {
         lines.push(Section::TwoPoints.name().to_owned());

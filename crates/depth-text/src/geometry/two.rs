@@ -23,6 +23,8 @@ pub struct TwoShots {
     pub solution: TwoShotsSolution,
     /// Whether its σ is that of one pixel in each width, as none was typed: there is always one to be seen.
     pub is_one_pixel_each: bool,
+    /// The focal length of the lens in the distances, where it is more than 1 % of the nearer one.
+    pub added_lens: Option<Length>,
 }
 
 pub(super) fn shots(camera: &Camera<'_>) -> Result<Option<TwoShots>, Note> {
@@ -69,6 +71,7 @@ pub(super) fn shots(camera: &Camera<'_>) -> Result<Option<TwoShots>, Note> {
     Ok(Some(TwoShots {
         solution: TwoShotsSolution { far, near, ..solution },
         is_one_pixel_each,
+        added_lens: camera.solution.notable_lens(near.value),
     }))
 }
 

@@ -20,6 +20,8 @@ pub fn normalized(text: &str) -> Cow<'_, str> {
             '٬' => ascii.push('\u{2009}'),
             '٪' => ascii.push('%'),
             '⁄' | '÷' => ascii.push('/'),
+            // Pages that are read from right to left put them around numbers. What turns digits around is none of them.
+            '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202c}' | '\u{2066}'..='\u{2069}' | '\u{feff}' => {}
             _ => match FRACTIONS.iter().find(|(sign, _)| *sign == c) {
                 Some((_, fraction)) => ascii.extend([" ", *fraction]),
                 None => ascii.push(c),

@@ -4,6 +4,7 @@
 use crate::assess::{Assessment, Unknown};
 use crate::field::Key;
 use crate::fields;
+use crate::geometry::TwoShots;
 use crate::names::{self, Named};
 use crate::note::Issue;
 use crate::number::Notation;
@@ -66,11 +67,7 @@ pub fn formula(solution: &Solution, method: Method) -> String {
 pub fn remarks(assessment: &Assessment, method: Method) -> Vec<Statement> {
     let solution = &assessment.solution;
     let mut lines = Vec::new();
-    if let Some(lens) = solution.added_lens(method) {
-        let unit = assessment.reading(fields::FX_LENS).and_then(|reading| reading.unit?.length());
-        let unit = unit.unwrap_or(LengthUnit::Millimeter);
-        lines.push(Statement::LensAdded { lens, unit });
-    }
+    lines.extend(solution.added_lens(method).map(|lens| lens_added(assessment, lens)));
     let extent = match method {
         Method::Stereo => fields::DISPARITY,
         Method::Monocular => fields::IMAGE_WIDTH,
@@ -82,6 +79,19 @@ pub fn remarks(assessment: &Assessment, method: Method) -> Vec<Statement> {
         lines.push(Statement::NatoMil);
     }
     lines
+}
+
+/// What is to be said about the distances of two photographs, a line each.
+pub fn shots_remarks(assessment: &Assessment, shots: &TwoShots) -> Vec<Statement> {
+    let one_pixel = shots.is_one_pixel_each.then_some(Statement::OnePixelEach);
+    let lens = shots.added_lens.map(|lens| lens_added(assessment, lens));
+    one_pixel.into_iter().chain(lens).collect()
+}
+
+fn lens_added(assessment: &Assessment, lens: Length) -> Statement {
+    let unit = assessment.reading(fields::FX_LENS).and_then(|reading| reading.unit?.length());
+    let unit = unit.unwrap_or(LengthUnit::Millimeter);
+    Statement::LensAdded { lens, unit }
 }
 
 /// What a reading says that its text does not: the result of what was worked out, which mil it is. `None` where nothing.

@@ -5,18 +5,23 @@ use crate::number::with_minus;
 use crate::style::Style;
 use depth_core::camera::{GroundSolution, PointSolution};
 use depth_core::measured::Measured;
-use depth_core::problem::{Method, Origin};
+use depth_core::problem::{Method, Origin, Problem};
 use depth_core::quantity::{Length, LengthUnit};
 use depth_core::two_points::TwoPointsSolution;
 use depth_core::two_shots::TwoShotsSolution;
 
-/// The point in space, a name and a value each, in `unit`.
-pub fn point(style: Style, point: &PointSolution, unit: LengthUnit) -> [(&'static str, String); 4] {
+/// The point in space, a name and a value each, in `unit`; of the `problem` whose zero its Z and R are counted from.
+pub fn point(style: Style, problem: &Problem, point: &PointSolution, unit: LengthUnit) -> [(&'static str, String); 4] {
+    let range = if problem.zero.is_some_and(|zero| zero.m() != 0.0) {
+        "R, range from where the tape starts"
+    } else {
+        "R, range from the lens"
+    };
     [
         ("X, to the right", style.measured(point.x, unit)),
         ("Y, down", style.measured(point.y, unit)),
         ("Z, depth along the axis", style.measured(point.z, unit)),
-        ("R, range from the lens", style.measured(point.range, unit)),
+        (range, style.measured(point.range, unit)),
     ]
 }
 

@@ -12,6 +12,8 @@ variants! {
     pub enum CommandLine {
         /// An option was given with nothing in it.
         EmptyOption { option: String },
+        /// Nothing stands behind the ± of an option.
+        EmptySigma { option: String },
         /// Neither method is complete. For each way: the options that it lacks, and the name of its method.
         NoDistance { ways: Vec<(Vec<String>, &'static str)> },
         /// A program without a window was called without a command.
@@ -69,6 +71,10 @@ impl Display for CommandLine {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Self::EmptyOption { option } => write!(f, "--{option} is empty: give it a value or leave it out."),
+            Self::EmptySigma { option } => write!(
+                f,
+                "--{option}: Nothing stands behind ±. Type the uncertainty, or leave the sign out."
+            ),
             Self::NoDistance { ways } => {
                 let ways: Vec<String> = ways
                     .iter()
