@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::assert_near;
+use common::{assert_near, problem};
 use depth_core::angle::{Angle, AngleUnit};
 use depth_core::in_image::InImage;
 use depth_core::judge::Refusal;
@@ -13,14 +13,6 @@ use depth_core::problem::{Field, Outcome, Problem};
 use depth_core::quantity::{Length, LengthUnit};
 use depth_core::setup::{Object, Pair};
 use depth_core::stereo;
-
-fn problem(values: &[(Field, f64)]) -> Problem {
-    let mut problem = Problem::default();
-    for &(field, value) in values {
-        problem.set(field, Some(value));
-    }
-    problem
-}
 
 fn by_angle(field: Field, value: f64, sigma: f64, unit: AngleUnit, length: (Field, f64)) -> Problem {
     let mut problem = problem(&[length]);

@@ -3,22 +3,14 @@
 
 mod common;
 
-use common::{assert_near, px};
+use common::{assert_near, problem, px};
 use depth_core::camera::{Along, PointView};
 use depth_core::judge::Refusal;
 use depth_core::measured::Measured;
-use depth_core::problem::{Field, Method, Outcome, Problem};
+use depth_core::problem::{Field, Method, Outcome};
 use depth_core::quantity::Length;
 use depth_core::setup::{Object, Pair};
 use proptest::prelude::*;
-
-fn problem(values: &[(Field, f64)]) -> Problem {
-    let mut problem = Problem::default();
-    for &(field, value) in values {
-        problem.set(field, Some(value));
-    }
-    problem
-}
 
 #[test]
 fn a_zero_in_front_of_the_lens_is_taken_from_every_distance_and_from_no_width() {

@@ -2,6 +2,7 @@
 #![allow(dead_code, clippy::unwrap_used, reason = "tests, none of which needs all of it")]
 
 use depth_core::measured::Measured;
+use depth_core::problem::{Field, Problem};
 use depth_core::quantity::Pixels;
 use depth_core::uncertainty::Model;
 
@@ -34,4 +35,13 @@ pub fn disparity_only(disparity: f64, sigma: f64) -> Model {
 
 pub fn assert_near(value: f64, expected: f64, tolerance: f64) {
     assert!((value - expected).abs() <= tolerance, "{value} is not {expected} ± {tolerance}");
+}
+
+/// What is exactly known: fields with their values in the base unit, px where it is one of the image.
+pub fn problem(values: &[(Field, f64)]) -> Problem {
+    let mut problem = Problem::default();
+    for &(field, value) in values {
+        problem.set(field, Some(value));
+    }
+    problem
 }
