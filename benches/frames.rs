@@ -4,7 +4,7 @@
 //! ground plane. Accessibility is switched on, as it is on the web page. Aim: at most 2 ms.
 #![allow(clippy::unwrap_used, missing_docs, reason = "a measurement")]
 
-use depth_calculator::app::{App, Licenses, Place, Platform, PlatformError};
+use depth_calculator::app::{App, FileContents, Licenses, Place, Platform, PlatformError};
 use depth_calculator::core::problem::Field;
 use depth_text::fields;
 use depth_text::form::{Example, Inputs};
@@ -48,6 +48,16 @@ impl Platform for Machine {
         Licenses::Text("")
     }
     fn copy(&mut self, _ctx: &egui::Context, _text: String) {}
+    fn save_file(&mut self, _ctx: &egui::Context, _name: &str, _contents: FileContents) {}
+    fn print(&mut self) -> bool {
+        false
+    }
+    fn today(&self) -> String {
+        "November 25, 2026".to_owned()
+    }
+    fn address(&self) -> String {
+        "https://example.org/".to_owned()
+    }
     fn events(&mut self) -> Vec<depth_calculator::app::Event> {
         Vec::new()
     }
@@ -58,7 +68,6 @@ fn filled(sigma: &str) -> String {
     let mut inputs: Inputs = Example::CoffeeMug.inputs();
     inputs.entry_mut(Field::ImageWidth).text = "150".into();
     inputs.entry_mut(Field::RealWidth).text = "0.3".into();
-    inputs.with_uncertainty = true;
     for field in Field::ALL {
         inputs.set_sigma(field, sigma);
     }

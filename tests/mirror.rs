@@ -1,7 +1,7 @@
 //! The accessible page that the web program builds beside its canvas: all that egui says of each screen is in it.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, missing_docs, reason = "tests")]
 
-use depth_calculator::app::{App, Event, Licenses, Place, Platform, PlatformError};
+use depth_calculator::app::{App, Event, FileContents, Licenses, Place, Platform, PlatformError};
 use egui::accesskit::{Affine, Node, NodeId, Rect, Toggled, TreeUpdate};
 use egui::{Role, Vec2, vec2};
 use egui_kittest::Harness;
@@ -28,6 +28,16 @@ impl Platform for Machine {
         Ok(None)
     }
     fn copy(&mut self, _ctx: &egui::Context, _text: String) {}
+    fn save_file(&mut self, _ctx: &egui::Context, _name: &str, _contents: FileContents) {}
+    fn print(&mut self) -> bool {
+        false
+    }
+    fn today(&self) -> String {
+        "November 25, 2026".to_owned()
+    }
+    fn address(&self) -> String {
+        "https://example.org/".to_owned()
+    }
     fn events(&mut self) -> Vec<Event> {
         Vec::new()
     }
@@ -316,7 +326,6 @@ fn the_accessible_page_says_all_that_egui_says_of_the_calculator_and_of_a_mistak
     let mut program = Program::new();
     program.compare("empty");
     program.press("Coffee mug (stereo)");
-    program.press("Add uncertainty");
     program.type_into("Uncertainty of Disparity (d)", "0.5");
     program.type_into("Camera baseline (b)", "ten");
     let page = program.compare("with a mistake");
@@ -337,7 +346,7 @@ fn the_accessible_page_says_all_that_egui_says_of_an_open_list() {
 #[test]
 fn the_accessible_page_says_all_that_egui_says_of_a_dialog_and_of_nothing_behind_it() {
     let mut program = Program::new();
-    program.press("OpenCV ×16, doffs…");
+    program.press("OpenCV × 16, doffs…");
     let page = program.compare("a dialog");
     assert!(page.contains("aria-modal=\"true\"") && page.contains("inert=\"\""), "{page}");
 }

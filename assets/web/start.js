@@ -54,6 +54,25 @@ function checkGraphics() {
   );
 }
 
+/**
+ * Has eframe compute the size of the canvas itself where the browser gives it in the wrong pixels: an emulated phone (Chrome's device
+ * toolbar, Playwright) reports 3 device pixels in a CSS pixel and draws 1, and the page would be shown three times too large. Each
+ * observer hears of a change in the order in which they were made, so eframe's, made later, finds what this leaves.
+ */
+function checkDevicePixels() {
+  const name = 'devicePixelContentBoxSize';
+  const { prototype } = globalThis.ResizeObserverEntry ?? {};
+  if (!prototype || !(name in prototype)) return;
+  new ResizeObserver(([entry], observer) => {
+    const [drawn] = entry[name];
+    const [styled] = entry.contentBoxSize;
+    const isWrong = (side) => Math.abs(drawn[side] - styled[side] * devicePixelRatio) > 1;
+    if (!isWrong('inlineSize') && !isWrong('blockSize')) return;
+    delete prototype[name];
+    observer.disconnect();
+  }).observe(element('app'));
+}
+
 /** Settles when the page is on the screen, or soon if nobody is looking: a page in the background is not painted. */
 function painted() {
   const seen = new Promise((resolve) => new PerformanceObserver(resolve).observe({ type: 'paint', buffered: true }));
@@ -100,6 +119,7 @@ async function download(url, size) {
 
 async function start() {
   checkWebAssembly();
+  checkDevicePixels();
   // Trunk writes both names, with their hashes, into the page.
   const script = document.querySelector('link[rel="modulepreload"]');
   const program = document.querySelector('link[rel="preload"][type="application/wasm"]');

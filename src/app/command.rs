@@ -10,6 +10,7 @@ use crate::core::quantity::LengthUnit;
 use depth_text::entry::Entry;
 use depth_text::field::Key as FieldKey;
 use depth_text::form::Inputs;
+use depth_text::report::strip::Mode;
 use egui::{Event, InputState, Key, KeyboardShortcut, ModifierNames, Modifiers, ThemePreference};
 
 /// A dialog of the calculator that knows where a number comes from.
@@ -63,18 +64,27 @@ pub enum Command {
     FillIn(Vec<(FieldKey, Entry)>),
     /// Open the helper for the focal length at this way, with this multiple of the image's width.
     AskForWidth(&'static str, Entry),
-    /// Move the point on the curve to this disparity, px; all moves until [`Command::Settle`] are one undo step.
-    DragDisparity(f64),
+    /// Move what a picture has of this field to this number, in the unit that it was typed in; all moves until [`Command::Settle`] are
+    /// one undo step.
+    Drag(FieldKey, f64),
+    /// Save the chart that is this widget as a picture with this name.
+    SavePicture(&'static str, egui::Id),
+    /// Give out the report of the session: on paper in a browser, as a file on a desktop.
+    SaveReport,
     /// An edit is complete: a drag ended, a field was left.
     Settle,
     /// Show a dialog over the screen, or close the one that is open.
     ShowDialog(Option<Dialog>),
     /// Open a helper, or close the one that is open.
     Help(Option<Helper>),
-    /// Show or hide range, tilt and ground plane.
-    ShowGeometry(bool),
-    /// Show or hide two photographs and two points.
-    ShowTwo(bool),
+    /// Ask for this.
+    Ask(Mode),
+    /// Show or hide range, tilt and zero point.
+    ShowRefinements(bool),
+    /// Move the focus to this field, and show it.
+    GoTo(FieldKey),
+    /// Put what the machine holds to paste into the field that has the focus.
+    Paste,
     /// Show a screen.
     Show(Screen),
     /// Show results in this unit.
@@ -95,16 +105,19 @@ impl Command {
             Self::Redo => "Redo",
             Self::Copy(Copyable::Results) => "Copy Results",
             Self::Copy(Copyable::QMatrix) => "Copy Q matrix",
+            Self::Copy(Copyable::Value(_)) => "Copy value",
+            Self::SavePicture(..) => "Save as PNG",
+            Self::SaveReport if cfg!(target_arch = "wasm32") => "Print",
+            Self::SaveReport => "Save report",
             Self::ShowDialog(Some(Dialog::Keys)) => "Keys",
             Self::ShowDialog(Some(Dialog::About)) => "About Depth Calculator",
-            Self::Help(Some(Helper::FocalLength)) => "from lens, FOV or Q…",
-            Self::Help(Some(Helper::Baseline)) => "not square…",
-            Self::Help(Some(Helper::Disparity)) => "OpenCV ×16, doffs…",
+            Self::Help(Some(Helper::FocalLength)) => "From lens, FOV or Q…",
+            Self::Help(Some(Helper::Baseline)) => "Not square…",
+            Self::Help(Some(Helper::Disparity)) => "OpenCV × 16, doffs…",
             Self::Help(None) => "Cancel",
-            Self::ShowGeometry(true) => "Range, tilt, ground plane",
-            Self::ShowGeometry(false) => "Hide range, tilt and ground plane",
-            Self::ShowTwo(true) => "Two photos, two points",
-            Self::ShowTwo(false) => "Hide two photos and two points",
+            Self::Ask(mode) => mode.name(),
+            Self::ShowRefinements(_) => "Range, tilt, zero point",
+            Self::Paste => "Paste",
             Self::Show(screen) => screen.name(),
             Self::ShowResultsIn(unit) => unit.symbol(),
             Self::Theme(ThemePreference::System) => "As the system",
@@ -116,7 +129,8 @@ impl Command {
             | Self::Fix(..)
             | Self::FillIn(_)
             | Self::AskForWidth(..)
-            | Self::DragDisparity(_)
+            | Self::GoTo(_)
+            | Self::Drag(..)
             | Self::Settle => "",
         }
     }
@@ -146,6 +160,8 @@ impl Command {
             }
             Self::Show(Screen::Calculator) => const { &[Shortcut::new(Modifiers::ALT, Key::Num1, Scope::Everywhere)] },
             Self::Show(Screen::Learn) => const { &[Shortcut::new(Modifiers::ALT, Key::Num2, Scope::Everywhere)] },
+            // In a browser that is its own key for printing, which never comes here.
+            Self::SaveReport => const { &[Shortcut::new(Modifiers::COMMAND, Key::P, Scope::Everywhere)] },
             Self::ShowDialog(Some(Dialog::Keys)) => {
                 const {
                     &[Shortcut {
@@ -177,14 +193,18 @@ impl Command {
             | Self::Fix(..)
             | Self::FillIn(_)
             | Self::AskForWidth(..)
+            | Self::Ask(_)
             | Self::Settle => true,
-            Self::DragDisparity(_)
+            Self::Drag(..)
+            | Self::SavePicture(..)
+            | Self::SaveReport
             | Self::Copy(_)
             | Self::Show(_)
             | Self::ShowDialog(_)
             | Self::Help(_)
-            | Self::ShowGeometry(_)
-            | Self::ShowTwo(_)
+            | Self::ShowRefinements(_)
+            | Self::GoTo(_)
+            | Self::Paste
             | Self::ShowResultsIn(_)
             | Self::Dismiss
             | Self::Theme(_) => false,
@@ -193,7 +213,7 @@ impl Command {
 
     /// Whether the notice bar stays open. A link that names no field must not close it; one that does opens another.
     pub const fn keeps_notice(&self) -> bool {
-        matches!(self, Self::Settle | Self::Theme(_) | Self::Follow(_))
+        matches!(self, Self::Settle | Self::Theme(_) | Self::Follow(_) | Self::GoTo(_))
     }
 }
 

@@ -25,8 +25,14 @@ pub struct AppContext<'a> {
 }
 
 impl AppContext<'_> {
+    /// What is asked for.
+    pub fn mode(&self) -> Mode {
+        self.settings.mode(&self.session.inputs)
+    }
+
     /// The unit of the results.
     pub const fn unit(&self) -> LengthUnit {
         self.settings.result_unit
     }
 }
+use depth_text::report::strip::Mode;

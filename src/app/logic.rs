@@ -2,31 +2,37 @@
 //! changed.
 
 use super::App;
+use super::calculator;
+use super::chart_picture::ChartPicture;
 use super::command::Command;
 use super::context::AppContext;
 use super::copyable::Copyable;
 use super::notice::Notice;
-use super::platform::Event;
+use super::platform::{Event, FileContents};
+#[cfg(not(target_arch = "wasm32"))]
+use super::report;
 use super::saved::{Saved, Screen};
 use super::sentences::{FreshStart, NoticeText, Place, PlatformError};
 use super::theme::{self, Layout};
 use super::widgets::field;
-use crate::core::problem::Field;
 use depth_text::entry::Entry;
-use depth_text::export::{Exporter as _, Results, Text};
+use depth_text::export::{Exporter as _, Text};
 use depth_text::field::Key;
 use depth_text::form::Inputs;
+use depth_text::report::strip::Mode;
 use depth_text::{fields, link, number, q_matrix};
 
 impl App {
     /// Runs the logic.
     pub(super) fn update(&mut self, ctx: &egui::Context) {
+        self.focus_first_field(ctx);
         for command in std::mem::take(&mut self.pending) {
             self.carry_out(ctx, command);
         }
         for event in self.platform.events() {
             self.handle(ctx, event);
         }
+        self.go_on_with_picture(ctx);
         self.calculator.logic(&mut AppContext {
             egui: ctx,
             layout: Layout::of_width(ctx.content_rect().width()),
@@ -40,8 +46,13 @@ impl App {
 
     fn handle(&mut self, ctx: &egui::Context, event: Event) {
         match event {
-            Event::Copied(Ok(())) => self.say(NoticeText::Copied(self.copied), None),
+            Event::Copied(Ok(())) => self.say(NoticeText::Copied(self.copied.clone()), None),
             Event::Copied(Err(error)) => self.say(NoticeText::NotCopied(error), None),
+            // The field that has the focus takes it in this frame, as if it had been pasted by a key.
+            Event::Pasted(Ok(text)) => ctx.input_mut(|input| input.events.push(egui::Event::Paste(text))),
+            Event::Pasted(Err(error)) => self.say(NoticeText::NotPasted(error), None),
+            Event::Saved(Ok(place)) => self.say(NoticeText::Saved(place), None),
+            Event::Saved(Err(error)) => self.say(NoticeText::NotSaved(error), None),
             Event::Colors(colors) => {
                 if colors != self.system_colors {
                     self.system_colors = colors;
@@ -69,7 +80,7 @@ impl App {
             Command::Undo => self.undo(),
             Command::Redo => self.redo(),
             Command::Copy(what) => {
-                self.copied = what;
+                self.copied = what.clone();
                 if let Some(text) = self.text_of(what) {
                     self.platform.copy(ctx, text);
                 }
@@ -81,11 +92,15 @@ impl App {
                 self.calculator.open_way(&mut self.settings.ways, way);
                 ctx.memory_mut(|memory| memory.request_focus(field::id(fields::FRAME_WIDTH)));
             }
-            Command::DragDisparity(disparity) => self.session.inputs.entry_mut(Field::Disparity).text = number::plain(disparity),
+            Command::Drag(key, number) => self.session.inputs.entry_mut(key).text = number::plain(number),
+            Command::SavePicture(title, chart) => self.chart_picture = Some(ChartPicture::new(title, chart)),
+            Command::SaveReport => self.save_report(ctx),
             Command::ShowDialog(dialog) => self.dialog = dialog,
             Command::Help(helper) => self.calculator.helper = helper,
-            Command::ShowGeometry(shown) => self.settings.shows_geometry = shown,
-            Command::ShowTwo(shown) => self.settings.shows_two = shown,
+            Command::Ask(mode) => self.ask(mode),
+            Command::ShowRefinements(shown) => self.calculator.show_refinements(&mut self.settings, shown),
+            Command::GoTo(key) => self.calculator.go_to(ctx, key, &self.session, &mut self.settings),
+            Command::Paste => self.platform.paste(ctx),
             Command::Show(screen) => self.settings.screen = screen,
             Command::ShowResultsIn(unit) => self.settings.result_unit = unit,
             Command::Theme(theme) => {
@@ -97,18 +112,49 @@ impl App {
         ctx.request_repaint();
     }
 
+    /// Saves the chart that was asked for, as soon as there is a picture of it.
+    fn go_on_with_picture(&mut self, ctx: &egui::Context) {
+        let Some(chart) = &mut self.chart_picture else { return };
+        let Some(outcome) = chart.advance(ctx) else { return };
+        let name = chart.file_name();
+        self.chart_picture = None;
+        match outcome {
+            Ok(picture) => self.platform.save_file(ctx, &name, FileContents::Picture(picture)),
+            Err(error) => self.say(NoticeText::NotSaved(error), None),
+        }
+    }
+
+    /// Gives the report out: on paper where there is a dialog for that, else as a file.
+    fn save_report(&mut self, ctx: &egui::Context) {
+        if self.platform.print() {
+            return;
+        }
+        // A browser always has the dialog: what makes the file is no part of what it loads.
+        #[cfg(not(target_arch = "wasm32"))]
+        self.platform
+            .save_file(ctx, report::FILE_NAME, FileContents::Page(self.report_page()));
+        ctx.request_repaint();
+    }
+
     fn text_of(&self, what: Copyable) -> Option<String> {
         match what {
-            Copyable::Results => {
-                let Ok(text) = Text.export(&Results {
-                    inputs: &self.session.inputs,
-                    assessment: self.session.assessment(),
-                    unit: self.settings.result_unit,
-                });
-                Some(text)
-            }
+            Copyable::Results => Some(self.with_results(|results| {
+                let Ok(text) = Text.export(results);
+                text
+            })),
+            Copyable::Value(text) => Some(text),
             Copyable::QMatrix => q_matrix::written(&q_matrix::of_form(self.session.assessment())?),
         }
+    }
+
+    fn ask(&mut self, mode: Mode) {
+        self.settings.chosen_mode = mode;
+        let inputs = &mut self.session.inputs;
+        // Who comes back finds what was asked for before.
+        let before = inputs.unknown.or(self.calculator.asked_before);
+        inputs.unknown = (mode == Mode::Quantity).then(|| before.unwrap_or(calculator::FIRST_UNKNOWN));
+        self.calculator.asked_before = before;
+        self.calculator.marked = false;
     }
 
     fn reset(&mut self) {
@@ -118,12 +164,14 @@ impl App {
             self.say(NoticeText::Cleared, Some(Command::Undo));
         }
         self.session.inputs = Inputs::default();
+        self.session.forget();
         self.calculator.marked = false;
     }
 
     fn open(&mut self, ctx: &egui::Context, inputs: Inputs, said: NoticeText) {
         let replaced = !self.session.inputs.is_blank();
         self.session.inputs = inputs;
+        self.session.forget();
         self.settings.screen = Screen::Calculator;
         self.calculator.reveal_results(ctx);
         self.calculator.helper = None;
@@ -236,6 +284,7 @@ mod tests {
     use super::*;
     use crate::app::platform::{Licenses, Platform};
     use crate::app::theme::SystemColors;
+    use crate::core::problem::Field;
     use crate::core::quantity::LengthUnit;
     use egui::{Color32, Theme};
 
@@ -253,6 +302,16 @@ mod tests {
             Ok(None)
         }
         fn copy(&mut self, _ctx: &egui::Context, _text: String) {}
+        fn save_file(&mut self, _ctx: &egui::Context, _name: &str, _contents: FileContents) {}
+        fn print(&mut self) -> bool {
+            false
+        }
+        fn today(&self) -> String {
+            "November 25, 2026".to_owned()
+        }
+        fn address(&self) -> String {
+            "https://example.org/".to_owned()
+        }
         fn events(&mut self) -> Vec<Event> {
             std::mem::take(&mut self.0)
         }
@@ -284,6 +343,16 @@ mod tests {
     fn what_happens_last_is_said_last() {
         let (_, app) = after(vec![Event::Copied(Ok(())), Event::Copied(Err(PlatformError::NoClipboard))]);
         assert_eq!(said(&app), Some(&NoticeText::NotCopied(PlatformError::NoClipboard)));
+    }
+
+    #[test]
+    fn what_comes_from_the_clipboard_is_pasted_and_a_refusal_is_said() {
+        let (ctx, app) = after(vec![Event::Pasted(Ok("700".to_owned()))]);
+        assert!(ctx.input(|input| input.events.contains(&egui::Event::Paste("700".to_owned()))));
+        assert_eq!(said(&app), None);
+        let refusal = PlatformError::PasteDenied { reason: "No.".to_owned() };
+        let (_, app) = after(vec![Event::Pasted(Err(refusal.clone()))]);
+        assert_eq!(said(&app), Some(&NoticeText::NotPasted(refusal)));
     }
 
     #[test]

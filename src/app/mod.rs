@@ -6,6 +6,7 @@
 mod about;
 mod batches;
 mod calculator;
+mod chart_picture;
 mod command;
 mod context;
 mod copyable;
@@ -15,22 +16,25 @@ mod logic;
 mod navigation;
 mod notice;
 mod platform;
+mod report;
 mod saved;
 mod sentences;
 mod session;
 mod shortcuts;
 mod theme;
+mod touch;
 mod ui;
 mod widgets;
 
 use crate::core::problem::Field;
 use calculator::Calculator;
+use chart_picture::ChartPicture;
 use command::Command;
 pub use copyable::Copyable;
 use dialog::Dialog;
 use egui::Ui;
 use notice::Notice;
-pub use platform::{Event, Licenses, Platform};
+pub use platform::{Event, FileContents, Licenses, Platform};
 use saved::{Saved, Screen, Settings};
 use sentences::FreshStart;
 #[cfg(target_arch = "wasm32")]
@@ -40,7 +44,7 @@ pub(crate) use sentences::snapshot;
 pub use sentences::{Place, PlatformError};
 use session::Session;
 use theme::Layout;
-pub use theme::SystemColors;
+pub use theme::{INTER, SystemColors};
 use widgets::field;
 
 /// The application.
@@ -59,8 +63,12 @@ pub struct App {
     /// What was put on the clipboard last.
     copied: Copyable,
     system_colors: Option<SystemColors>,
+    /// The chart that is being saved.
+    chart_picture: Option<ChartPicture>,
     /// The commands of the last frame, in order.
     pending: Vec<Command>,
+    /// Whether there has been a frame.
+    has_started: bool,
 }
 
 impl App {
@@ -68,6 +76,7 @@ impl App {
     pub fn new(cc: &eframe::CreationContext<'_>, platform: Box<dyn Platform>) -> Self {
         let ctx = &cc.egui_ctx;
         theme::install(ctx);
+        ctx.add_plugin(touch::Touches::default());
         ctx.add_plugin(batches::Batches::default());
         let (saved, unread) = match platform.load() {
             Ok(None) => (Saved::default(), None),
@@ -89,21 +98,23 @@ impl App {
             dialog: None,
             copied: Copyable::Results,
             system_colors: None,
+            chart_picture: None,
             pending: Vec::new(),
+            has_started: false,
         };
         if let Some(cause) = unread {
             app.start_fresh(cause);
         }
-        app.focus_first_field(ctx);
         app
     }
 
-    /// Focuses the first field on an empty form; not on a phone, where that would open the keyboard.
-    fn focus_first_field(&self, ctx: &egui::Context) {
-        let touch = ctx.input(|input| input.any_touches());
-        if self.session.inputs.is_blank()
+    /// Focuses the first field on an empty form, before the first frame; not on a phone, where that would open the keyboard. Earlier
+    /// the size of the window is not known.
+    fn focus_first_field(&mut self, ctx: &egui::Context) {
+        if !std::mem::replace(&mut self.has_started, true)
+            && self.session.inputs.is_blank()
             && self.settings.screen == Screen::Calculator
-            && !touch
+            && !self.platform.has_touch()
             && Layout::of_width(ctx.content_rect().width()) != Layout::Phone
         {
             ctx.memory_mut(|memory| memory.request_focus(field::id(Field::FocalLength)));

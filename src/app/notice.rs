@@ -28,7 +28,7 @@ impl Notice {
                 cx.commands.push(action.clone());
             }
             let close = Command::Dismiss;
-            if ui.add(button(close.text()).frame(false)).clicked() {
+            if ui.add(button(close.text())).clicked() {
                 cx.commands.push(close);
             }
         });

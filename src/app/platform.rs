@@ -1,4 +1,4 @@
-//! The port to the platform: storage, clipboard, events, and what the program says about itself.
+//! The port to the platform: storage, clipboard, files, paper, events, and what the program says about itself.
 
 use super::sentences::{Place, PlatformError};
 use super::theme::SystemColors;
@@ -27,11 +27,36 @@ pub trait Platform {
     /// Starts putting `text` on the clipboard; the outcome comes later as [`Event::Copied`].
     fn copy(&mut self, ctx: &egui::Context, text: String);
 
+    /// Asks for the text on the clipboard, to paste it into the field that has the focus. In a browser it comes later as
+    /// [`Event::Pasted`], or why the browser refuses it. A desktop has egui read it, which pastes it by itself and says nothing: there
+    /// nobody refuses.
+    fn paste(&self, ctx: &egui::Context) {
+        ctx.send_viewport_cmd(egui::ViewportCommand::RequestPaste);
+    }
+
+    /// Starts giving the person a file with this name, or one like it where that is taken; the outcome comes later as [`Event::Saved`].
+    fn save_file(&mut self, ctx: &egui::Context, name: &str, contents: FileContents);
+
+    /// Opens the dialog that prints the report of the session, for which the platform asks the application. Returns whether there is
+    /// one: where there is none, a report is a file.
+    fn print(&mut self) -> bool;
+
+    /// Whether the person points with fingers: then a field that gets the focus opens a keyboard over half the screen.
+    fn has_touch(&self) -> bool {
+        false
+    }
+
     /// The events since the last call, in order. The implementation requests a repaint for each.
     fn events(&mut self) -> Vec<Event>;
 
     /// A clock, in seconds from some moment on.
     fn seconds(&self) -> f64;
+
+    /// Today's date, "November 25, 2026", followed by the time zone where that is not the person's own.
+    fn today(&self) -> String;
+
+    /// The address at which the program opens, to be followed by `#` and what a link fills in.
+    fn address(&self) -> String;
 
     /// The commit that the program was built from, where that is known.
     fn commit(&self) -> Option<String>;
@@ -45,10 +70,23 @@ pub trait Platform {
 pub enum Event {
     /// The outcome of a [`Platform::copy`].
     Copied(Result<(), PlatformError>),
+    /// The outcome of a [`Platform::paste`].
+    Pasted(Result<String, PlatformError>),
+    /// The outcome of a [`Platform::save_file`]: where the file is.
+    Saved(Result<Place, PlatformError>),
     /// The person has chosen these colors for everything on the screen, or none any more.
     Colors(Option<SystemColors>),
     /// A link to the program was followed: the part behind its `#`.
     Link(String),
+}
+
+/// What a file holds that the program gives out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FileContents {
+    /// A picture, which the platform writes as PNG: a browser has that built in, and need not load it.
+    Picture(egui::ColorImage),
+    /// A page, as HTML.
+    Page(String),
 }
 
 /// Where the licenses of everything in the program are.

@@ -5,13 +5,14 @@ use crate::core::quantity::LengthUnit;
 use depth_text::entry::Entries;
 use depth_text::field::Key;
 use depth_text::form::Inputs;
+use depth_text::report::strip::Mode;
 use depth_text::version1;
 use egui::ThemePreference;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// The screens of the program.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Screen {
     /// The form and its results.
@@ -43,10 +44,10 @@ pub struct Settings {
     pub theme: ThemePreference,
     /// The screen last shown.
     pub screen: Screen,
-    /// Whether range, tilt and ground plane are shown.
-    pub shows_geometry: bool,
-    /// Whether two photographs and two points are shown.
-    pub shows_two: bool,
+    /// What is asked for, where nothing is solved for; see [`Self::mode`].
+    pub chosen_mode: Mode,
+    /// Whether range, tilt and zero point are shown.
+    pub shows_refinements: bool,
     /// What was typed into helpers and into range, tilt and ground plane.
     pub entries: Entries,
     /// The way chosen in each helper.
@@ -62,10 +63,21 @@ impl Default for Settings {
             result_unit: LengthUnit::Meter,
             theme: ThemePreference::System,
             screen: Screen::Calculator,
-            shows_geometry: false,
-            shows_two: false,
+            chosen_mode: Mode::Distance,
+            shows_refinements: false,
             entries: Entries::default(),
             ways: Ways::new(),
+        }
+    }
+}
+
+impl Settings {
+    /// What is asked for with `inputs`: another quantity wherever one is solved for, however that came about.
+    pub fn mode(&self, inputs: &Inputs) -> Mode {
+        match self.chosen_mode {
+            _ if inputs.unknown.is_some() => Mode::Quantity,
+            Mode::Quantity => Mode::Distance,
+            chosen => chosen,
         }
     }
 }
@@ -98,8 +110,14 @@ struct Stored {
     theme: StoredTheme,
     screen: Screen,
     #[serde(default)]
-    shows_geometry: bool,
+    mode: Mode,
     #[serde(default)]
+    shows_refinements: bool,
+    /// What earlier programs showed beside the distance.
+    #[serde(default, skip_serializing)]
+    shows_geometry: bool,
+    #[serde(default, skip_serializing)]
+    #[allow(dead_code, reason = "an earlier program stored it")]
     shows_two: bool,
     #[serde(default)]
     entries: Entries,
@@ -130,6 +148,8 @@ impl From<StoredVersion1> for Stored {
             result_unit: stored.result_unit,
             theme: stored.theme,
             screen: stored.screen,
+            mode: Mode::Distance,
+            shows_refinements: false,
             shows_geometry: stored.shows_geometry,
             shows_two: false,
             ways: version1::ways(&stored.texts),
@@ -162,8 +182,10 @@ impl Saved {
                 ThemePreference::Dark => StoredTheme::Dark,
             },
             screen: self.settings.screen,
-            shows_geometry: self.settings.shows_geometry,
-            shows_two: self.settings.shows_two,
+            mode: self.settings.chosen_mode,
+            shows_refinements: self.settings.shows_refinements,
+            shows_geometry: false,
+            shows_two: false,
             entries: self.settings.entries.clone(),
             ways: self.settings.ways.clone(),
         })
@@ -201,8 +223,8 @@ impl From<Stored> for Saved {
                     StoredTheme::Dark => ThemePreference::Dark,
                 },
                 screen: stored.screen,
-                shows_geometry: stored.shows_geometry,
-                shows_two: stored.shows_two,
+                chosen_mode: stored.mode,
+                shows_refinements: stored.shows_refinements || stored.shows_geometry,
                 entries: stored.entries,
                 ways: stored.ways,
             },
@@ -236,8 +258,8 @@ mod tests {
                 result_unit: LengthUnit::Foot,
                 theme: ThemePreference::Dark,
                 screen: Screen::Learn,
-                shows_geometry: true,
-                shows_two: true,
+                chosen_mode: Mode::TwoShots,
+                shows_refinements: true,
                 entries: entries(&[(fields::LENS, "4", "")]),
                 ways: Ways::from([("d".into(), "kitti".into())]),
             },
@@ -265,7 +287,6 @@ mod tests {
         ] {
             assert_eq!(saved.inputs.entry(key), &entry, "{key:?}");
         }
-        assert!(saved.inputs.with_uncertainty);
         assert_eq!(saved.inputs.unknown, Some((Method::Stereo, Field::Disparity)));
         assert_eq!(
             (saved.settings.result_unit, saved.settings.theme, saved.settings.screen),

@@ -1,6 +1,8 @@
 //! The inputs, their assessment, and their history for undo and redo.
 
+use crate::core::problem::Method;
 use depth_text::assess::Assessment;
+use depth_text::fields;
 use depth_text::form::Inputs;
 use egui::util::undoer::{Settings, Undoer};
 
@@ -14,6 +16,8 @@ pub struct Session {
     pub inputs: Inputs,
     assessed: Inputs,
     assessment: Assessment,
+    /// The last one in which nothing was lost that an input which cannot be used takes away for the moment.
+    last: Assessment,
     /// The finished states. Only [`Self::settle`] adds one: when an edit is finished is known here, so egui need not guess by time.
     history: Undoer<Inputs>,
 }
@@ -29,6 +33,7 @@ impl Session {
         history.add_undo(&inputs);
         Self {
             assessment: inputs.assess(),
+            last: inputs.assess(),
             assessed: inputs.clone(),
             history,
             inputs,
@@ -51,8 +56,54 @@ impl Session {
         if changed {
             self.assessed = self.inputs.clone();
             self.assessment = self.inputs.assess();
+            self.keep();
         }
         changed
+    }
+
+    /// The answers before an input became unusable: what is still shown, dimmed, while somebody types.
+    pub const fn last(&self) -> &Assessment {
+        &self.last
+    }
+
+    /// The assessment that has the answer: this one, or the last that had what an unusable input takes away for the moment.
+    pub fn answered(&self) -> &Assessment {
+        if self.has_answer() { &self.assessment } else { &self.last }
+    }
+
+    /// Whether there is any answer.
+    pub fn has_answer(&self) -> bool {
+        answers(&self.assessment).contains(&true)
+    }
+
+    /// Whether there was an answer that an unusable input takes away for the moment.
+    pub fn had_answer(&self) -> bool {
+        answers(&self.last).contains(&true)
+    }
+
+    /// Forgets the answers before: what is typed now has nothing to do with them.
+    pub fn forget(&mut self) {
+        self.assessment = self.inputs.assess();
+        self.assessed = self.inputs.clone();
+        self.last = self.assessment.clone();
+    }
+
+    fn keep(&mut self) {
+        let is_begun = [
+            self.inputs.is_begun(Method::Stereo),
+            self.inputs.is_begun(Method::Monocular),
+            self.inputs.unknown.is_some(),
+            !self.inputs.entry(fields::CAMERA_HEIGHT).is_blank(),
+            self.inputs.has_two(),
+            self.inputs.has_two(),
+        ];
+        let before = answers(&self.last).into_iter().zip(is_begun);
+        let is_lost = before
+            .zip(answers(&self.assessment))
+            .any(|((had, begun), has)| had && begun && !has);
+        if !is_lost || self.inputs.is_blank() {
+            self.last = self.assessment.clone();
+        }
     }
 
     /// Adds the inputs to the history as a finished state. Undo goes back from one finished state to the one before.
@@ -79,6 +130,19 @@ impl Session {
         self.inputs = inputs;
         true
     }
+}
+
+/// Which answers there are: by stereo, monocular, another quantity, the ground plane, two photographs, two points.
+fn answers(assessment: &Assessment) -> [bool; 6] {
+    let geometry = &assessment.geometry;
+    [
+        assessment.distance(Method::Stereo).is_some(),
+        assessment.distance(Method::Monocular).is_some(),
+        assessment.unknown.as_ref().is_some_and(|unknown| unknown.outcome.is_ok()),
+        geometry.ground.is_some(),
+        geometry.two_shots.is_some(),
+        geometry.two_points.is_some(),
+    ]
 }
 
 #[cfg(test)]

@@ -19,7 +19,12 @@ pub fn pressed(ctx: &Context) -> Option<Command> {
         &[Scope::Everywhere, Scope::OutsideText]
     };
     // Redo before Undo: Ctrl + Z also matches while Shift is held.
-    let commands = [Command::Redo, Command::Undo, Command::ShowDialog(Some(Dialog::Keys))];
+    let commands = [
+        Command::Redo,
+        Command::Undo,
+        Command::SaveReport,
+        Command::ShowDialog(Some(Dialog::Keys)),
+    ];
     let mut all = Screen::ALL.map(Command::Show).into_iter().chain(commands);
     ctx.input_mut(|input| all.find(|command| command.take_keys(input, scopes)))
 }
@@ -42,6 +47,7 @@ fn rows() -> Vec<(String, String)> {
         keys("Shift + ↑ ↓", "Step ten times as far"),
         of(&[Command::Undo]),
         of(&[Command::Redo]),
+        of(&[Command::SaveReport]),
         of(&Screen::ALL.map(Command::Show)),
         keys("Esc, then Tab", "Leave the program for the rest of the page"),
         of(&[Command::ShowDialog(Some(Dialog::Keys))]),
@@ -116,6 +122,7 @@ mod tests {
             (key(Modifiers::COMMAND, Key::Z), Some(Command::Undo)),
             (key(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z), Some(Command::Redo)),
             (key(Modifiers::COMMAND, Key::Y), Some(Command::Redo)),
+            (key(Modifiers::COMMAND, Key::P), Some(Command::SaveReport)),
             (key(Modifiers::ALT, Key::Num1), Some(Command::Show(Screen::Calculator))),
             (key(Modifiers::ALT, Key::Num2), Some(Command::Show(Screen::Learn))),
             (Event::Text("?".to_owned()), Some(Command::ShowDialog(Some(Dialog::Keys)))),
@@ -133,6 +140,7 @@ mod tests {
             ("Enter", "Calculate: marks what is missing and goes there"),
             ("Ctrl + Z", "Undo (⌘ Z on a Mac)"),
             ("Ctrl + Shift + Z", "Redo"),
+            ("Ctrl + P", "Save report"),
             ("Alt + 1, Alt + 2", "Calculator, Learn"),
             ("?", "This list"),
         ] {

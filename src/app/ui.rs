@@ -10,7 +10,8 @@ use super::saved::Screen;
 use super::theme::{self, Layout};
 use super::widgets::bottom_bar::BottomBar;
 use super::{about, learn, navigation, shortcuts};
-use egui::{Align, CentralPanel, Frame, Margin, Panel, Stroke, Ui};
+use egui::accesskit::Role;
+use egui::{Align, CentralPanel, Frame, Margin, Panel, Stroke, Ui, UiBuilder};
 
 impl App {
     /// Draws a frame and queues its commands for [`Self::update`].
@@ -29,7 +30,7 @@ impl App {
         let top = Panel::top("navigation").resizable(false);
         top.frame(bar(ui, cx.layout, theme::NAVIGATION_MARGIN))
             .show(ui, |ui| navigation::ui(ui, cx));
-        let bottom_bar = BottomBar::new(ui, "screen");
+        let bottom_bar = BottomBar::new(ui, "screen", (cx.settings.screen, cx.layout, self.notice.is_some()));
         bottom_bar.above_ui(ui, |ui| screen_ui(ui, cx, &mut self.calculator));
         bottom_bar.below_ui(ui, |ui| bottom_ui(ui, cx, self.notice.as_ref()));
         match self.dialog {
@@ -37,7 +38,10 @@ impl App {
             Some(Dialog::About) => about::ui(ui, cx),
             None => {}
         }
-        focus_ring(ui);
+        match &self.chart_picture {
+            Some(picture) => picture.shield_ui(ui),
+            None => focus_ring(ui),
+        }
         self.queue(&ctx, commands);
     }
 
@@ -46,7 +50,7 @@ impl App {
         // Copying cannot wait: some browsers allow it only while they handle the click, which is when eframe runs this pass.
         commands.retain(|command| {
             let Command::Copy(what) = command else { return true };
-            self.copy(ctx, *what);
+            self.copy(ctx, what.clone());
             false
         });
         if !commands.is_empty() {
@@ -64,13 +68,18 @@ fn screen_ui(ui: &mut Ui, cx: &mut AppContext<'_>, calculator: &mut Calculator) 
     let background = Frame::new().fill(theme::palette(ui).page).inner_margin(Margin {
         left: cx.layout.screen_margin(),
         right: cx.layout.screen_margin(),
-        top: theme::SCREEN_TOP,
+        // The contents scroll from the line of the header on.
+        top: 0,
         bottom: 0,
     });
+    let screen = cx.settings.screen;
+    let panel = UiBuilder::new()
+        .accessibility_role(Role::TabPanel)
+        .accessibility_label(screen.name());
     CentralPanel::no_frame().frame(background).show(ui, |ui| {
         ui.vertical_centered(|ui| {
             ui.set_max_width(ui.available_width().min(theme::CONTENT_WIDTH));
-            ui.with_layout(egui::Layout::top_down(Align::Min), |ui| match cx.settings.screen {
+            ui.scope_builder(panel.layout(egui::Layout::top_down(Align::Min)), |ui| match screen {
                 Screen::Calculator => calculator.ui(ui, cx),
                 Screen::Learn => learn::ui(ui, cx),
             });

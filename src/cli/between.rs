@@ -109,7 +109,6 @@ impl Between {
         self.fields.refuse_empty()?;
         let inputs = Inputs {
             entries: self.fields.entries(),
-            with_uncertainty: true,
             pair: self.pair,
             ..Inputs::default()
         };

@@ -8,7 +8,7 @@ use super::warning::Warning;
 use crate::core::in_image::InImage;
 use crate::core::problem::{Field, Method, Outcome};
 use depth_text::assess::{Assessment, Unknown};
-use depth_text::export::{Exporter as _, Results};
+use depth_text::export::{Exporter as _, Provenance, Results};
 use depth_text::field::{Key, Section};
 use depth_text::fields;
 use depth_text::form::Inputs;
@@ -25,7 +25,6 @@ impl Calculate {
     fn inputs(&self) -> Result<Inputs, String> {
         Ok(Inputs {
             entries: self.fields.entries(),
-            with_uncertainty: true,
             unknown: self.unknown()?,
             object: self.object.unwrap_or_default(),
             pair: self.pair.unwrap_or_default(),
@@ -85,6 +84,7 @@ impl Calculate {
             inputs: &inputs,
             assessment: &assessment,
             unit: self.fields.unit,
+            provenance: Provenance::default(),
         };
         if self.fields.json {
             let mut warnings = warnings;

@@ -31,7 +31,6 @@ impl Ground {
         self.fields.refuse_empty()?;
         let inputs = Inputs {
             entries: self.fields.entries(),
-            with_uncertainty: true,
             ..Inputs::default()
         };
         let assessment = inputs.assess();

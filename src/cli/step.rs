@@ -78,7 +78,6 @@ impl Step {
         self.fields.refuse_empty()?;
         let inputs = Inputs {
             entries: self.fields.entries(),
-            with_uncertainty: true,
             ..Inputs::default()
         };
         let assessment = inputs.assess();

@@ -27,16 +27,24 @@ const SCREENS = {
   'the empty calculator': async () => {},
   'the calculator with every distance and its uncertainty': async (page) => {
     await fillAll(page, '700', '100', '50', '150', '0.30');
-    await page.press('Add uncertainty');
     await page.fill(`Uncertainty of ${FX}`, '1%');
     await page.fill('Uncertainty of Disparity (d)', '0.5');
-    await page.press('Range, tilt, ground plane');
-    await page.says(/1\.400/);
+    await page.press('Range, tilt, zero point');
+    await page.says(/Where the uncertainty comes from/);
   },
   'the calculator that solves for another quantity': async (page) => {
     await fillAll(page, '700', '100');
-    await page.press('Solve for another quantity');
+    await page.press('Another quantity');
     await page.says(/Solve for/);
+  },
+  'the ground plane': async (page) => {
+    await page.press('Ground plane');
+    await page.says(/Along the floor/);
+  },
+  'two photographs and a step': async (page) => {
+    await page.press('More ways');
+    await page.press('Two photographs and a step');
+    await page.says(/From the second place/);
   },
   'the calculator with mistakes': async (page) => {
     await fillAll(page, 'seven', '-3', '0');
@@ -57,12 +65,12 @@ const SCREENS = {
     await page.says(/Version \d/);
   },
   'a dialog with a mistake': async (page) => {
-    await page.press('from lens, FOV or Q…');
+    await page.press('From lens, FOV or Q…');
     await page.fill('Pixel pitch', 'three');
     await page.says(/is not a number/);
   },
   'the other dialog, with a list open': async (page) => {
-    await page.press('OpenCV ×16, doffs…');
+    await page.press('OpenCV × 16, doffs…');
     await page.press('What is known');
     await until('the list', () => page.run(`return document.querySelector('${MIRROR} [role=listbox]') !== null`));
   },
@@ -72,7 +80,7 @@ const SCREENS = {
   },
   'a notice': async (page) => {
     await page.press('Coffee mug (stereo)');
-    await page.says(/1\.400/);
+    await page.says(/1\.373…1\.429 m/);
     await page.press('Reset');
     await page.says(/All fields are cleared/);
   },
@@ -230,7 +238,7 @@ it('a dialog keeps the keyboard while it is open, and gives it back', async (tes
   const page = await bench.page(test);
   await page.start();
   await leaveFields(page);
-  await page.tabTo('from lens, FOV or Q…');
+  await page.tabTo('From lens, FOV or Q…');
   await page.type(Key.ENTER);
   const isOpen = () => page.run(`return document.querySelector('${MIRROR} [role=dialog]') !== null`);
   await until('the dialog', isOpen);
@@ -241,7 +249,7 @@ it('a dialog keeps the keyboard while it is open, and gives it back', async (tes
   await until('the dialog closed', async () => !(await isOpen()));
   await until('the keyboard where it came from', async () => {
     const active = await page.driver.switchTo().activeElement();
-    return (await active.getAccessibleName()) === 'from lens, FOV or Q…';
+    return (await active.getAccessibleName()) === 'From lens, FOV or Q…';
   });
 });
 

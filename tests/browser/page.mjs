@@ -12,7 +12,9 @@ const SELECTORS = {
   button: 'button, [role=button]',
   choice: '[role=menuitemcheckbox], [role=option]',
   field: 'input, textarea, [role=textbox], [role=spinbutton]',
+  image: 'img, [role=img]',
   link: 'a, [role=link]',
+  radio: 'input[type=radio], [role=radio]',
   tab: '[role=tab]',
 };
 const CANDIDATES = `
@@ -27,6 +29,8 @@ const WITHOUT = {
   webgl: 'HTMLCanvasElement.prototype.getContext = () => null',
   webassembly: 'delete globalThis.WebAssembly',
 };
+
+const PHONE = { width: 390, height: 844, scale: 3 };
 
 /** The page that was opened last. */
 export const current = { page: undefined };
@@ -89,6 +93,11 @@ export class Page {
 
   run(script, ...values) {
     return this.driver.executeScript(script, ...values);
+  }
+
+  /** A phone, whose browser draws with `scale` device pixels in a CSS pixel, or says so. */
+  imitatePhone(screen = PHONE) {
+    return this.engine.imitatePhone(this.driver, screen);
   }
 
   /** Has a script run at the start of the page, before its own. */
@@ -245,9 +254,9 @@ export class Page {
     await until(`"${text}" in "${name}"`, async () => (await this.value(name)) === text);
   }
 
-  /** Presses the button, link, tab or choice in a menu with this name, as assistive technology does. */
+  /** Presses the button, link, tab or choice with this name, as assistive technology does. */
   async press(name) {
-    await this.run('arguments[0].click()', await this.element(name, 'button', 'link', 'tab', 'choice'));
+    await this.run('arguments[0].click()', await this.element(name, 'button', 'link', 'tab', 'choice', 'radio'));
   }
 
   /** The middle of an element, in whole pixels of the window. */

@@ -20,13 +20,28 @@ const DEVICES = [
     ],
   },
 ];
+/** As wide as screens are: only of the screen that has the most to show. */
+const HUGE = { width: 2560, height: 1440 };
 const MUG = { 'Focal length (fx)': '700', 'Camera baseline (b)': '100', 'Disparity (d)': '50' };
+const FULL = {
+  ...MUG,
+  'Object width in image (w_img)': '150',
+  'Object real width (w_real)': '0.30',
+  'Uncertainty of Focal length (fx)': '2',
+  'Uncertainty of Camera baseline (b)': '0.5',
+  'Uncertainty of Disparity (d)': '0.5',
+  'Uncertainty of Object width in image (w_img)': '2',
+  'Uncertainty of Object real width (w_real)': '0.01',
+};
+const DISAGREE = { ...FULL, 'Camera baseline (b)': '10' };
 const MISTAKES = { 'Focal length (fx)': 'seven', 'Camera baseline (b)': '-3', 'Disparity (d)': '0' };
 
 /** How each screen is reached from a fresh start. */
 const SCREENS = {
   'calculator-empty': async () => {},
   'calculator-mug': (page) => fillAll(page, MUG),
+  'calculator-full': (page) => fillAll(page, FULL),
+  'calculator-disagree': (page) => fillAll(page, DISAGREE),
   'calculator-errors': (page) => fillAll(page, MISTAKES),
   learn: (page) => page.press('Learn'),
 };
@@ -64,7 +79,7 @@ for (const { device, scale, sizes } of DEVICES) {
       // So that no caret blinks in the pictures.
       await page.run('document.activeElement?.blur()');
       for (const dark of [false, true]) {
-        for (const size of sizes) {
+        for (const size of name === 'calculator-full' && device === 'a desk' ? [...sizes, HUGE] : sizes) {
           await page.setScreen({ ...size, dark });
           const png = await settledScreenshot(page, dark);
           const file = `${name}-${size.width}-${dark ? 'dark' : 'light'}.png`;

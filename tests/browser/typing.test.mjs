@@ -86,10 +86,10 @@ it('a form is filled with the key Tab without waiting for anything', { needs: ['
   await page.start();
   const wrong = await wrongForms(page, numbers, async (values, [first]) => {
     await page.run('arguments[0].focus(); arguments[0].select()', first);
-    // From the baseline to the disparity by way of its unit and the helper.
+    // By way of each σ, and from the baseline to the disparity by way of its unit and the helper.
     const [fx, baseline, disparity, imageWidth, realWidth] = values;
     const { TAB } = Key;
-    await page.driver.actions().sendKeys(fx, TAB, baseline, TAB, TAB, TAB, disparity, TAB, imageWidth, TAB, realWidth).perform();
+    await page.driver.actions().sendKeys(fx, TAB, TAB, baseline, TAB, TAB, TAB, TAB, disparity, TAB, TAB, imageWidth, TAB, TAB, realWidth).perform();
   });
   assert.deepEqual(wrong, []);
   await until('a result', async () => /\d m\b/.test(await page.text()));

@@ -236,7 +236,7 @@ fn two_photographs_and_a_step() {
     near(&shots["sigma_m"], 0.0325 / 3.0, 1e-4);
     assert!(refused("step --far-px 1429 --near-px 1162 --step 1").contains("swapped"));
     let (lines, _) = text("step --far-px 1162 --near-px 1429 --step 419.1mm --sigma-px 3 --unit mm");
-    assert_eq!(lines[0], "2243 ± 32 mm (from the first place)");
+    assert_eq!(lines[0], "(2243 ± 32) mm (from the first place)");
 }
 
 #[test]
@@ -249,7 +249,7 @@ fn two_points_are_a_length_apart() {
     near(&points["dy_m"], -0.018_55, 1e-6);
     near(&points["dz_m"], 0.188_708, 1e-6);
     let (lines, _) = text(pair);
-    assert_eq!(lines[0], "0.312 ± 0.011 m (between the points)");
+    assert_eq!(lines[0], "(0.312 ± 0.011) m (between the points)");
     assert!(refused("between --fx 450 --baseline 75 --cx 1 --cy 1 --from 1,2,0 --to 1,2,3").contains("--from"));
 }
 

@@ -3,11 +3,12 @@
 
 use super::{run, run_words};
 use depth_calculator::core::angle::AngleUnit;
+use depth_calculator::core::problem::Field;
 use depth_calculator::core::quantity::LengthUnit;
 use depth_text::entry::{Entries, Entry};
-use depth_text::export::{Exporter as _, Results, Text};
+use depth_text::export::{Exporter as _, Provenance, Results, Text};
 use depth_text::field::{Key, Kind, Section};
-use depth_text::fields::{FLOOR_ANGLE, FLOOR_ROW, TABLE, TARGET_HEIGHT, ZERO};
+use depth_text::fields::{CAMERA_PITCH, DISTANCE, FLOOR_ANGLE, FLOOR_ROW, FOCAL_LENGTH, TABLE, TAPED_RANGE, TARGET_HEIGHT, ZERO};
 use depth_text::form::Inputs;
 use depth_text::link;
 use depth_text::reading::{read, read_with_sigma};
@@ -79,10 +80,7 @@ fn every_field_is_stored_under_its_key() {
 
 /// The form with every field filled in, but for the one of two that takes the place of the other.
 fn form(left_out: Key) -> Inputs {
-    let mut inputs = Inputs {
-        with_uncertainty: true,
-        ..Inputs::default()
-    };
+    let mut inputs = Inputs::default();
     for key in Key::form().filter(|&key| key != left_out) {
         *inputs.entry_mut(key) = filled(key);
     }
@@ -100,11 +98,12 @@ fn every_field_of_the_form_is_in_its_assessment_its_link_and_its_report() {
 
 fn every_field_is_everywhere(inputs: &Inputs, left_out: Key) {
     let assessment = inputs.assess();
-    let fragment = link::fragment(inputs, &assessment);
+    let fragment = link::fragment(inputs, LengthUnit::Meter);
     let Ok(report) = Text.export(&Results {
         inputs,
         assessment: &assessment,
         unit: LengthUnit::Meter,
+        provenance: Provenance::default(),
     });
     let mut back = Inputs::default();
     assert!(link::apply(&fragment, &mut back));
@@ -113,9 +112,13 @@ fn every_field_is_everywhere(inputs: &Inputs, left_out: Key) {
         assert_eq!(reading.number_text, some_number(key), "{key:?}");
         assert_eq!(back.entry(key).text, some_number(key), "{key:?} in {fragment}");
         assert_eq!(back.entry(key).unit, inputs.entry(key).unit, "{key:?} in {fragment}");
-        let sigma = if key.has_sigma { " ± 1 %" } else { "" };
-        let line = format!("  {}: {}{sigma}", key.name, reading.text());
-        assert!(report.lines().any(|candidate| candidate == line), "{line:?} is not in\n{report}");
+        let sigma = reading.sigma_text().unwrap_or_default();
+        assert_eq!(sigma.is_empty(), !key.has_sigma, "{key:?}");
+        let line = format!("{}\t{}\t{sigma}\t", key.name, reading.number_text);
+        assert!(
+            report.lines().any(|candidate| candidate.starts_with(&line)),
+            "{line:?} is not in\n{report}"
+        );
         if let Some(field) = key.input {
             assert_eq!(assessment.solution.problem.get(field), Some(reading.value), "{key:?}");
         }
@@ -243,4 +246,30 @@ fn a_sigma_is_read_in_every_unit_of_its_field_and_in_percent_of_the_value() {
 
 fn close(got: f64, expected: f64) -> bool {
     (got / expected - 1.0).abs() < 1e-12
+}
+
+/// Programs in which σ could be switched off wrote so; what did not count then must not count now.
+#[test]
+fn a_sigma_that_was_switched_off_is_not_read_back() {
+    let stored = |with_uncertainty: &str| {
+        let text = format!(
+            r#"{{"entries":{{"fx":{{"text":"700","sigma":"2"}},"d":{{"text":"50 ± 0.5"}},"distance":{{"text":"1","sigma":"1 %"}},
+            "range":{{"text":"1.5","sigma":"1 %"}},"camera-pitch":{{"text":"10","sigma":"0.5"}}}}{with_uncertainty}}}"#
+        );
+        serde_json::from_str::<Inputs>(&text).unwrap()
+    };
+    let (on, off, now) = (
+        stored(r#","with_uncertainty":true"#),
+        stored(r#","with_uncertainty":false"#),
+        stored(""),
+    );
+    assert_eq!(on, now);
+    for (key, kept) in [(FOCAL_LENGTH, false), (DISTANCE, false), (TAPED_RANGE, true), (CAMERA_PITCH, true)] {
+        assert!(!now.sigma(key).is_empty(), "{key:?}");
+        assert_eq!(!off.sigma(key).is_empty(), kept, "{key:?}");
+    }
+    assert_eq!(off.assess().solution.problem.sigma(Field::Disparity), 0.5, "typed behind its value");
+    let again = serde_json::to_string(&now).unwrap();
+    assert_eq!(serde_json::from_str::<Inputs>(&again).unwrap(), now);
+    assert!(!again.contains("with_uncertainty"), "{again}");
 }

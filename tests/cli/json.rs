@@ -12,7 +12,7 @@ fn the_mug_and_the_doorway() {
     assert_eq!(json("--fx 950 --w-img 200 --w-real 0.9m")["monocular"]["distance_m"], 4.275);
 }
 
-/// The golden figures: 1.400 ± 0.016 m; 1.400 ± 0.050 m (1.3498 … 1.4507); combined ± 0.01547 m.
+/// The golden figures: (1.400 ± 0.016) m; (1.400 ± 0.050) m (1.3498 … 1.4507); combined ± 0.01547 m.
 #[test]
 fn uncertainty_of_both_methods_and_of_their_combination() {
     let both = json(&format!("{MUG} {SIGMAS} {TWIN}"));

@@ -7,10 +7,10 @@ fn the_first_line_is_the_answer() {
     let first = |arguments: &str| text(&format!("calculate {arguments}")).0[0].clone();
     assert_eq!(first(MUG), "1.400 m (stereo)");
     assert_eq!(first("--fx 950 --w-img 200 --w-real 0.9"), "4.275 m (monocular)");
-    assert_eq!(first(&format!("{MUG} {SIGMAS}")), "1.400 ± 0.016 m (stereo)");
+    assert_eq!(first(&format!("{MUG} {SIGMAS}")), "(1.400 ± 0.016) m (stereo)");
     assert_eq!(
         first(&format!("{MUG} {SIGMAS} {TWIN}")),
-        "1.400 ± 0.015 m (combined, the shared focal length accounted for)"
+        "(1.400 ± 0.015) m (combined, the shared focal length accounted for)"
     );
     // Without σ nothing is combined.
     let (both, _) = text(&format!("calculate {MUG} --w-img 150 --w-real 0.3"));
@@ -24,16 +24,16 @@ fn the_text_says_what_is_needed_and_no_more() {
     assert_eq!(
         lines,
         [
-            "1.400 ± 0.015 m (combined, the shared focal length accounted for)",
+            "(1.400 ± 0.015) m (combined, the shared focal length accounted for)",
             "  Stereo and monocular agree within their uncertainties (0.0 σ apart).",
-            "1.400 ± 0.016 m (stereo)",
+            "(1.400 ± 0.016) m (stereo)",
             "  D = fx · b / d = 700 px · 100 mm / 50 px",
             "  1 σ interval: 1.384 to 1.416 m",
             "  variance: disparity 75 %, baseline 19 %, focal length 6 %",
-            "1.400 ± 0.050 m (monocular)",
+            "(1.400 ± 0.050) m (monocular)",
             "  D = w_real · fx / w_img = 0.3 m · 700 px / 150 px",
             "  1 σ interval: 1.350 to 1.451 m",
-            "  variance: real width 86 %, width in the image 14 %, focal length 1 %",
+            "  variance: real width 86 %, width in the image 14 %, focal length < 1 %",
             "Width in the image that the real width predicts: 150.0 px",
             "Real width that the width in the image predicts: 0.3000 m",
             "  Computed from the stereo distance, as a check: both widths agree with what you entered to within 0.1 %.",
@@ -98,7 +98,7 @@ fn large_and_small_distances_are_written_out() {
     assert_eq!(first("--fx 7000 --baseline 100m --disparity 1 --unit mm"), "700000000 mm (stereo)");
     assert_eq!(
         first("--fx 12346 --baseline 1m --disparity 1 --sigma-disparity 1%"),
-        "12350 ± 120 m (stereo)"
+        "(12350 ± 120) m (stereo)"
     );
     assert_eq!(first("--fx 700 --baseline 0.05mm --disparity 50"), "0.0007000 m (stereo)");
 }
@@ -124,11 +124,11 @@ fn lengths_beyond_that_take_the_next_unit_or_a_power_of_ten() {
 
 /// The lengths of the mug, by unit.
 const LENGTHS: [(&str, [&str; 3]); 5] = [
-    ("mm", ["1400 ± 15 mm", "1384 to 1416 mm", "300.0 mm"]),
-    ("cm", ["140.0 ± 1.5 cm", "138.4 to 141.6 cm", "30.00 cm"]),
-    ("m", ["1.400 ± 0.015 m", "1.384 to 1.416 m", "0.3000 m"]),
-    ("in", ["55.12 ± 0.61 in", "54.49 to 55.76 in", "11.81 in"]),
-    ("ft", ["4.593 ± 0.051 ft", "4.541 to 4.647 ft", "0.9843 ft"]),
+    ("mm", ["(1400 ± 15) mm", "1384 to 1416 mm", "300.0 mm"]),
+    ("cm", ["(140.0 ± 1.5) cm", "138.4 to 141.6 cm", "30.00 cm"]),
+    ("m", ["(1.400 ± 0.015) m", "1.384 to 1.416 m", "0.3000 m"]),
+    ("in", ["(55.12 ± 0.61) in", "54.49 to 55.76 in", "11.81 in"]),
+    ("ft", ["(4.593 ± 0.051) ft", "4.541 to 4.647 ft", "0.9843 ft"]),
 ];
 
 #[test]
@@ -161,7 +161,7 @@ fn distances_that_contradict_each_other_are_not_combined() {
         "calculate {}",
         "--fx 700 --baseline 100mm --disparity 50 --sigma-disparity 0.5 --w-img 150 --w-real 3 --sigma-w-img 1"
     ));
-    assert_eq!(lines[0], "1.400 ± 0.014 m (stereo)");
+    assert_eq!(lines[0], "(1.400 ± 0.014) m (stereo)");
     assert!(!lines.iter().any(|line| line.contains("combined")), "{lines:?}");
     assert!(lines.iter().any(|line| line.contains("disagree")), "{lines:?}");
 }

@@ -149,7 +149,7 @@ def use(program, home):
     program.write("Disparity (d)", "100")
     program.says("0.7000 m")
     program.write("Disparity (d)", "none")
-    program.says("⚠")
+    program.says("is not a number")
     program.press("Doorway (monocular)")
     program.says("4.275 m")
     program.find("Stereo against monocular", {"image"})

@@ -1,4 +1,4 @@
-//! Range, tilt and ground plane.
+//! What refines a distance (range, tilt, zero point), and the ground plane.
 
 use crate::program::{D, FX, Program, W_IMG, W_REAL};
 
@@ -6,7 +6,7 @@ use crate::program::{D, FX, Program, W_IMG, W_REAL};
 fn depth_and_range_differ_away_from_the_middle() {
     let mut program = Program::new();
     program.mug();
-    program.press("Range, tilt, ground plane");
+    program.press("Range, tilt, zero point");
     for (field, value) in [
         ("Principal point cx", "0"),
         ("Principal point cy", "0"),
@@ -16,15 +16,13 @@ fn depth_and_range_differ_away_from_the_middle() {
         program.type_into(field, value);
     }
     // 45° off the axis: R = √2 · Z.
-    assert!(program.says("1.980 m"), "{}", program.text());
-    assert!(program.says("from the stereo distance"));
+    assert_eq!(program.cell("R, range from the lens"), "1.980", "{}", program.text());
     // And back: 1.98 m by tape.
     program.type_into("Range by tape (R)", "1.979899");
-    assert!(program.says("from the range"));
-    assert_eq!(program.cell("Point and range", "Z, depth along the axis"), "1.400 m");
+    assert_eq!(program.cell("Z, depth along the axis"), "1.400", "{}", program.text());
     // Without a distance the range alone gives it.
     program.type_into(D, "");
-    assert_eq!(program.cell("Point and range", "Z, depth along the axis"), "1.400 m");
+    assert_eq!(program.cell("Z, depth along the axis"), "1.400");
 }
 
 /// The first error may be in a part that is hidden.
@@ -33,16 +31,18 @@ fn calculate_goes_to_a_wrong_field_in_a_hidden_part() {
     for (field, text) in [
         ("Tilt of the target", "abc"),
         ("Tilt of the target", "95"),
-        ("Pitch of the camera, downwards", "5 kg"),
+        ("Range by tape (R)", "5 kg"),
     ] {
         let mut program = Program::new();
         program.mug();
-        program.press("Range, tilt, ground plane");
+        program.press("Range, tilt, zero point");
         program.type_into(field, text);
-        program.press("Hide range, tilt and ground plane");
+        program.press("Range, tilt, zero point");
+        assert!(!program.has_input(field));
+        program.press("Range, tilt, zero point (filled in)");
+        program.press("Range, tilt, zero point");
         program.press("Calculate Distance");
         assert_eq!(program.focused(), field);
-        assert!(program.says("Hide range, tilt and ground plane"));
     }
 }
 
@@ -51,7 +51,7 @@ fn calculate_goes_to_a_wrong_field_in_a_hidden_part() {
 fn the_point_is_at_the_combined_distance_where_there_is_one() {
     let mut program = Program::new();
     program.two_distances();
-    program.press("Range, tilt, ground plane");
+    program.press("Range, tilt, zero point");
     for (field, value) in [
         ("Principal point cx", "640"),
         ("Principal point cy", "360"),
@@ -60,17 +60,16 @@ fn the_point_is_at_the_combined_distance_where_there_is_one() {
     ] {
         program.type_into(field, value);
     }
-    for words in ["from the combined distance", "1.442 ± 0.018 m", "1.621 ± 0.021 m"] {
-        assert!(program.says(words), "{words}: {}", program.text());
-    }
+    assert_eq!(program.cell("Object distance (D, combined)"), "1.442 ± 0.018");
+    assert_eq!(program.cell("R, range from the lens"), "1.621 ± 0.021", "{}", program.text());
 }
 
 /// The units that were dropped once: 120 cm were taken for 120 m.
 #[test]
 fn the_floor_has_units_a_column_and_a_pitch_with_a_sign() {
     let mut program = Program::new();
+    program.ask("Ground plane");
     program.type_into(FX, "700");
-    program.press("Range, tilt, ground plane");
     for (field, value) in [
         ("Principal point cx", "640"),
         ("Principal point cy", "360"),
@@ -92,20 +91,21 @@ fn the_floor_has_units_a_column_and_a_pitch_with_a_sign() {
 }
 
 #[test]
-fn a_tilt_counts_and_is_named_also_when_its_card_is_hidden() {
+fn a_tilt_counts_and_is_named_also_when_its_field_is_hidden() {
     let mut program = Program::new();
     program.type_into(FX, "950");
     program.type_into(W_IMG, "200");
     program.type_into(W_REAL, "0.9");
     assert!(program.says("4.275 m"));
-    program.press("Range, tilt, ground plane");
+    program.press("Range, tilt, zero point");
     program.type_into("Tilt of the target", "60");
+    assert!(program.answer("Monocular").contains("2.138 m"), "{}", program.text());
+    assert!(program.says("4.275 m"), "what it would be without the tilt: {}", program.text());
+    program.press("Range, tilt, zero point");
     assert!(
-        program.says("2.138 m") && program.says("without, it would be 4.275 m"),
+        program.says("2.138 m") && program.answer("Monocular").contains("cos 60°"),
         "{}",
-        program.text()
+        program.answer("Monocular")
     );
-    program.press("Hide range, tilt and ground plane");
-    assert!(program.says("2.138 m") && program.says("cos 60°"), "{}", program.text());
     assert!(program.says("(filled in)"));
 }

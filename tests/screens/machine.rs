@@ -1,6 +1,6 @@
 //! A machine for the program to run on.
 
-use depth_calculator::app::{Event, Licenses, Place, Platform, PlatformError};
+use depth_calculator::app::{Event, FileContents, Licenses, Place, Platform, PlatformError};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
@@ -13,6 +13,12 @@ pub struct Machine {
     pub is_full: Rc<Cell<bool>>,
     pub clipboard: Rc<RefCell<Option<String>>>,
     pub copied: Rc<RefCell<Option<Result<(), PlatformError>>>>,
+    /// The files that were saved, with their names.
+    pub files: Rc<RefCell<Vec<(String, FileContents)>>>,
+    pub saved: Rc<RefCell<Option<Result<Place, PlatformError>>>>,
+    /// Whether it has a dialog for printing, and how often that was opened.
+    pub has_paper: bool,
+    pub printed: Rc<Cell<u32>>,
     pub link: Rc<RefCell<Option<String>>>,
     /// The clock goes on by so many seconds whenever it is looked at; it stands still otherwise.
     pub tick: f64,
@@ -54,6 +60,26 @@ impl Platform for Machine {
         *self.copied.borrow_mut() = Some(if self.broken { Err(PlatformError::NoClipboard) } else { Ok(()) });
         ctx.request_repaint();
     }
+    fn save_file(&mut self, ctx: &egui::Context, name: &str, contents: FileContents) {
+        let outcome = if self.broken {
+            Err(PlatformError::NoHomeFolder)
+        } else {
+            self.files.borrow_mut().push((name.to_owned(), contents));
+            Ok(Place::File(name.into()))
+        };
+        *self.saved.borrow_mut() = Some(outcome);
+        ctx.request_repaint();
+    }
+    fn print(&mut self) -> bool {
+        self.printed.set(self.printed.get() + u32::from(self.has_paper));
+        self.has_paper
+    }
+    fn today(&self) -> String {
+        "November 25, 2026".to_owned()
+    }
+    fn address(&self) -> String {
+        "https://example.org/".to_owned()
+    }
     fn seconds(&self) -> f64 {
         self.now.replace(self.now.get() + self.tick)
     }
@@ -66,6 +92,7 @@ impl Platform for Machine {
     fn events(&mut self) -> Vec<Event> {
         let link = self.link.borrow_mut().take().map(Event::Link);
         let copied = self.copied.borrow_mut().take().map(Event::Copied);
-        link.into_iter().chain(copied).collect()
+        let saved = self.saved.borrow_mut().take().map(Event::Saved);
+        link.into_iter().chain(copied).chain(saved).collect()
     }
 }

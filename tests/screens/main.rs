@@ -12,6 +12,7 @@
 
 mod about;
 mod counted;
+mod files;
 mod form;
 mod geometry;
 mod helpers;
@@ -23,7 +24,9 @@ mod machine;
 mod program;
 mod results;
 mod snapshots;
+mod still;
 mod storage;
+mod strip;
 mod typing;
 mod uncertainty;
 mod window;

@@ -2,7 +2,7 @@
 
 use crate::machine::Machine;
 use depth_calculator::app::App;
-use egui::accesskit::Role;
+use egui::accesskit::{Role, Toggled};
 use egui::{Key, Modifiers, Vec2, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, HarnessBuilder};
@@ -32,6 +32,31 @@ impl Program {
 
     pub fn new() -> Self {
         Self::on(Machine::default(), DESKTOP)
+    }
+
+    /// Asks for something else: one of those in sight, or one of the menu.
+    pub fn ask(&mut self, way: &str) {
+        if self.harness.query_by_role_and_label(Role::RadioButton, way).is_none() {
+            let more = self.harness.get_by_label_contains("More ways").accesskit_node().label();
+            self.press(&more.unwrap_or_default());
+        }
+        self.control(way).scroll_to_me();
+        self.harness.run();
+        self.control(way).click();
+        self.harness.run();
+    }
+
+    /// The button, tab or choice of this name.
+    pub fn control<'a>(&'a self, name: &'a str) -> egui_kittest::Node<'a> {
+        let is_control =
+            |node: &egui_kittest::Node<'a>| matches!(node.accesskit_node().role(), Role::RadioButton | Role::Button | Role::Tab);
+        self.harness.get_all_by_label(name).find(is_control).unwrap()
+    }
+
+    /// Whether there is a field of this name that is typed into.
+    pub fn has_input(&self, name: &str) -> bool {
+        let mut nodes = self.harness.query_all_by_label(name);
+        nodes.any(|node| matches!(node.accesskit_node().role(), Role::NumberInput | Role::TextInput))
     }
 
     /// The field of this name that is typed into.
@@ -105,16 +130,54 @@ impl Program {
         self.text().contains(what)
     }
 
-    /// The value in the row `name` of a table of names and values.
-    pub fn cell(&self, table: &str, name: &str) -> String {
-        let table = self.harness.get_by_role_and_label(Role::Table, table);
-        let texts = table.children_recursive().filter_map(|node| {
-            let node = node.accesskit_node();
-            node.value().or_else(|| node.label()).filter(|text| !text.is_empty())
-        });
-        let texts: Vec<String> = texts.collect();
-        let behind = texts.iter().skip_while(|text| *text != name).find(|text| *text != name);
-        behind.cloned().unwrap_or_default()
+    /// The number in the row `name` of the table, with its σ where it has one: "1.400" or "1.400 ± 0.016".
+    pub fn cell(&self, name: &str) -> String {
+        let table = self.harness.get_by_role_and_label(Role::Table, "Key input parameters and outputs");
+        for row in table.children_recursive().filter(|node| node.accesskit_node().role() == Role::Row) {
+            let cells = row.children().map(|cell| texts(&cell).concat()).collect::<Vec<_>>();
+            // Behind the name there are the number, its σ where it has one, and the unit.
+            if let [first, value, rest @ ..] = cells.as_slice()
+                && first == name
+            {
+                let sigma = rest.first().filter(|text| text.starts_with(|c: char| c.is_ascii_digit()));
+                return sigma.map_or_else(|| value.clone(), |sigma| format!("{value} ± {sigma}"));
+            }
+        }
+        String::new()
+    }
+
+    /// What the cell `title` of the answer says, from its title to its last line.
+    pub fn answer(&self, title: &str) -> String {
+        texts(&self.harness.get_by_role_and_label(Role::Region, title)).concat()
+    }
+
+    /// What the bar at the foot of a phone says: it is read behind all cards.
+    pub fn bar(&self) -> String {
+        let nodes: Vec<_> = self.harness.root().children_recursive().collect();
+        let is_in_card = |node: &egui_kittest::Node<'_>| {
+            std::iter::successors(node.parent(), |node| node.parent()).any(|node| node.accesskit_node().role() == Role::Region)
+        };
+        let behind = nodes.iter().rposition(is_in_card).map_or(0, |last| last + 1);
+        let said = nodes.iter().skip(behind).map(|node| node.accesskit_node());
+        let said = said.filter(|node| node.role() != Role::TextRun);
+        said.filter_map(|node| node.value().or_else(|| node.label()))
+            .collect::<Vec<_>>()
+            .join(" ")
+    }
+
+    /// The radio button of this name that is chosen in the group, or none.
+    pub fn chosen(&self, group: &str) -> Option<String> {
+        let group = self.harness.get_by_role_and_label(Role::RadioGroup, group);
+        let chosen = group
+            .children_recursive()
+            .find(|node| node.accesskit_node().toggled() == Some(Toggled::True));
+        chosen.and_then(|node| node.accesskit_node().label())
+    }
+
+    /// Chooses one of a group of radio buttons.
+    pub fn radio(&mut self, name: &str) {
+        self.harness.get_by_role_and_label(Role::RadioButton, name).click();
+        self.harness.run();
     }
 
     pub fn focused(&self) -> String {
@@ -137,10 +200,22 @@ impl Program {
         self.mug();
         self.type_into(W_IMG, "150");
         self.type_into(W_REAL, "0.31");
-        self.press("Add uncertainty");
         type_sigma(self, D, "2");
         type_sigma(self, W_IMG, "2");
     }
+}
+
+/// The texts in `node` in reading order, each once; of a link to a field its name.
+fn texts(node: &egui_kittest::Node<'_>) -> Vec<String> {
+    let parts = node.children_recursive().filter_map(|node| {
+        let node = node.accesskit_node();
+        match node.role() {
+            Role::TextRun => None,
+            Role::Link => node.label(),
+            _ => node.value().or_else(|| node.label()),
+        }
+    });
+    parts.collect()
 }
 
 pub const FX: &str = "Focal length (fx)";

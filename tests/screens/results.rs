@@ -6,26 +6,37 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
+/// The point on the curve.
+const POINT: &str = "Disparity of the point, in pixels";
+
 #[test]
 fn typing_the_mug_gives_its_distance_without_pressing_anything() {
     let mut program = Program::new();
-    assert!(program.says("–.– m"));
+    assert!(program.answer("Stereo").contains("needs Focal length (fx)"), "{}", program.text());
     program.mug();
-    assert!(program.says("1.400 m"), "{}", program.text());
-    assert!(program.says("1.373 … 1.429 m"));
-    assert!(program.says("D = 700 px · 100 mm / 50 px = 1.400 m"));
+    let stereo = program.answer("Stereo");
+    for words in ["fx · b / d", "1.400 m", "1.373…1.429 m", "700 px · 0.1 m / 50 px"] {
+        assert!(stereo.contains(words), "{words}: {stereo}");
+    }
 }
 
 #[test]
 fn both_results_are_shown_as_soon_as_both_can_be_had() {
     let mut program = Program::new();
     program.mug();
-    assert!(program.harness.query_by_role_and_label(Role::Region, "Monocular").is_none());
+    let needs = "needs Object width in image (w_img): go to the field and Object real width (w_real): go to the field";
+    assert!(program.answer("Monocular").contains(needs), "{}", program.answer("Monocular"));
+    assert!(program.answer("Combined").contains("needs both distances"));
     program.type_into(W_IMG, "150");
     program.type_into(W_REAL, "0,3");
-    assert!(program.harness.query_by_role_and_label(Role::Region, "Stereo").is_some());
-    assert!(program.harness.query_by_role_and_label(Role::Region, "Monocular").is_some());
-    assert!(program.says("agree with what you entered"));
+    for method in ["Stereo", "Monocular"] {
+        assert!(program.answer(method).contains("1.400 m"), "{}", program.answer(method));
+    }
+    let combined = program.answer("Combined");
+    assert!(
+        combined.contains("needs ± in both"),
+        "whether they agree is known by their σ: {combined}"
+    );
 }
 
 #[test]
@@ -34,8 +45,12 @@ fn the_unit_of_the_results_is_that_of_every_result() {
     program.mug();
     program.choose("Unit of the results", "millimeters");
     assert!(program.says("1400 mm"));
-    assert!(program.says("1373 … 1429 mm"));
-    assert!(program.says("D = 700 px · 100 mm / 50 px = 1400 mm"));
+    assert!(program.answer("Stereo").contains("1373…1429 mm"));
+    assert!(
+        program.answer("Stereo").contains("700 px · 100 mm / 50 px"),
+        "{}",
+        program.answer("Stereo")
+    );
     let row = program
         .harness
         .get_by_role_and_label(Role::Table, "Key input parameters and outputs");
@@ -43,7 +58,7 @@ fn the_unit_of_the_results_is_that_of_every_result() {
     assert!(cells.iter().any(|cell| cell == "1400"), "{cells:?}");
     program.choose("Unit of the results", "feet");
     for other in [" m ", " m,", " m.", " meters", "(meters)", " mm "] {
-        let text = program.text().replace("100 mm", "");
+        let text = program.text().replace("100 mm", "").replace("= 0.1 m,", "");
         // In the table the inputs have the units that they were typed in, or would be.
         let results = text.lines().filter(|line| !matches!(*line, "millimeters" | "meters"));
         let results = results.collect::<Vec<_>>().join("\n");
@@ -58,10 +73,10 @@ fn copy_puts_the_report_on_the_clipboard_and_says_so() {
     program.press("Copy Results");
     let copied = program.machine.clipboard.borrow().clone().unwrap();
     assert!(
-        copied.contains("Camera baseline (b): 100 mm") && copied.contains("1.400 m (unrounded 1.4 m)"),
+        copied.starts_with("Stereo: 1.400 m, D = fx·b/d, fx = 700 px, b = 100 mm, d = 50 px"),
         "{copied}"
     );
-    assert!(program.says("Results copied"));
+    assert!(program.says("Copied to the clipboard: the answers, the table, and a link that opens them again."));
 }
 
 #[test]
@@ -77,14 +92,14 @@ fn a_refused_clipboard_and_a_blocked_storage_are_said() {
     program.mug();
     assert!(program.says("1.400 m"));
     program.press("Copy Results");
-    assert!(program.says("copies only from pages that arrive over https"));
+    assert!(program.says("copies and pastes only on pages that arrive over https"));
 }
 
 #[test]
 fn dragging_the_point_on_the_curve_changes_the_disparity_in_one_undo_step() {
     let mut program = Program::new();
     program.mug();
-    let from = program.harness.get_by_role(Role::Slider).rect().center();
+    let from = program.harness.get_by_label(POINT).rect().center();
     program.harness.drag_at(from);
     program.harness.run();
     for step in 1..=4 {
@@ -106,7 +121,7 @@ fn dragging_the_point_on_the_curve_changes_the_disparity_in_one_undo_step() {
 fn the_point_on_the_curve_follows_the_arrow_keys() {
     let mut program = Program::new();
     program.mug();
-    program.harness.get_by_role(Role::Slider).focus();
+    program.harness.get_by_label(POINT).focus();
     program.harness.run();
     program.harness.key_press(Key::ArrowRight);
     program.harness.run();
@@ -114,29 +129,28 @@ fn the_point_on_the_curve_follows_the_arrow_keys() {
 }
 
 #[test]
-fn the_table_has_nine_rows_and_a_header() {
-    let program = Program::new();
+fn the_table_has_nine_rows_in_two_parts_one_for_both_methods_combined_and_a_header() {
+    let mut program = Program::new();
+    program.two_distances();
     let table = program
         .harness
         .get_by_role_and_label(Role::Table, "Key input parameters and outputs");
     let roles: Vec<Role> = table.children_recursive().map(|node| node.accesskit_node().role()).collect();
-    assert_eq!(roles.iter().filter(|&&role| role == Role::Row).count(), 10);
-    assert_eq!(roles.iter().filter(|&&role| role == Role::ColumnHeader).count(), 4);
-    assert_eq!(roles.iter().filter(|&&role| role == Role::RowHeader).count(), 9);
+    // The header, and the title of the second part.
+    assert_eq!(roles.iter().filter(|&&role| role == Role::Row).count(), 1 + 5 + 1 + 4 + 1);
+    assert_eq!(roles.iter().filter(|&&role| role == Role::ColumnHeader).count(), 3);
+    assert_eq!(roles.iter().filter(|&&role| role == Role::RowHeader).count(), 5 + 1 + 4 + 1);
+    let names: Vec<String> = table.children_recursive().filter_map(|node| node.value()).collect();
+    assert!(names.iter().any(|name| name == "Intermediate values"), "{names:?}");
 }
 
 #[test]
-fn pictures_explain_themselves_when_empty_and_carry_their_numbers_when_full() {
+fn a_picture_explains_the_letters_before_anything_is_known_and_the_others_carry_their_numbers() {
     let mut program = Program::new();
-    for said in [
-        "both methods side by side",
-        "once focal length and baseline are known",
-        "as soon as a distance is known",
-    ] {
-        assert!(program.says(said), "{said}");
-    }
+    assert!(program.says("the box is w_img wide, and shifted by the disparity d."));
     program.mug();
     assert!(program.says("Bar chart. Stereo distance 1.400 m."));
+    assert!(program.harness.query_by_label("What the letters mean").is_none());
     assert!(program.says("At 50 px the distance is 1.400 m"));
     assert!(program.says("drawn midway between the cameras"));
 }
@@ -146,18 +160,20 @@ fn one_distance_can_be_solved_for_any_input() {
     let mut program = Program::new();
     program.type_into(FX, "700");
     program.type_into(B, "100");
-    program.press("Solve for another quantity");
+    program.press("Another quantity");
     program.type_into("Distance (D)", "1.4");
     assert!(program.says("50.00 px"), "{}", program.text());
-    program.choose("Solve for", "Distance (D)");
+    assert_eq!(program.chosen("Solve for").as_deref(), Some("Disparity"));
+    program.ask("Distance");
     assert!(program.harness.query_by_role_and_label(Role::NumberInput, "Distance (D)").is_none());
+    assert_eq!(program.chosen("What is asked for").as_deref(), Some("Distance"));
 }
 
 #[test]
 fn assistive_technology_sets_the_point_on_the_curve() {
     let mut program = Program::new();
     program.mug();
-    let slider = program.harness.get_by_role(Role::Slider);
+    let slider = program.harness.get_by_label(POINT);
     let node = slider.accesskit_node();
     assert_eq!((node.min_numeric_value(), node.max_numeric_value()), (Some(0.0), Some(100.0)));
     let request = egui::accesskit::ActionRequest {
@@ -178,22 +194,28 @@ fn what_is_solved_for_is_the_one_result_and_in_the_unit_of_the_results() {
     let mut program = Program::new();
     program.type_into(FX, "700");
     program.type_into(D, "50");
-    program.press("Solve for another quantity");
-    program.choose("Solve for", "Stereo: Camera baseline (b)");
+    program.press("Another quantity");
+    program.radio("Baseline");
     program.type_into("Distance (D)", "1.4");
     assert!(program.says("0.1000 m"), "{}", program.text());
     assert!(
         program.harness.query_by_role_and_label(Role::Region, "Stereo").is_none(),
         "it was given"
     );
+    program.ask("Distance");
     program.choose("Unit of the results", "feet");
+    program.ask("Another quantity");
+    program.radio("Baseline");
     assert!(program.says("0.3281 ft") && !program.says("0.1000 m"), "{}", program.text());
     program.press("Copy Results");
     let copied = program.machine.clipboard.borrow().clone().unwrap();
-    assert!(copied.contains("Camera baseline (b) of the stereo distance: 0.3281 ft"), "{copied}");
-    assert!(!copied.contains("Stereo distance, D"), "{copied}");
+    assert!(
+        copied.starts_with("Camera baseline: 0.3281 ft, b = D·d/fx, fx = 700 px"),
+        "{copied}"
+    );
+    assert!(!copied.contains("D = fx"), "{copied}");
     // And the width, in whatever unit its field has.
-    program.choose("Solve for", "Monocular: Object real width (w_real)");
+    program.radio("Real size");
     program.type_into(W_IMG, "150");
     assert!(program.says("0.9843 ft"), "{}", program.text());
 }
@@ -212,34 +234,51 @@ fn what_is_wrong_is_said_at_the_field_and_once_among_the_results() {
     let mut program = Program::new();
     program.mug();
     program.type_into(D, "0");
-    assert_eq!(count(&program, zero), 2, "{}", program.text());
+    assert_eq!(count(&program, zero), 1, "{}", program.text());
+    assert!(
+        program.answer("Stereo").contains("No distance: d must be above 0 px."),
+        "{}",
+        program.answer("Stereo")
+    );
     program.press("Copy Results");
     let copied = program.machine.clipboard.borrow().clone().unwrap();
     assert_eq!(copied.matches(zero).count(), 1, "{copied}");
-    assert!(
-        copied.contains("Stereo distance, D = fx · b / d: none; see the note on the disparity"),
-        "{copied}"
-    );
     // What both methods need.
     program.type_into(W_IMG, "150");
     program.type_into(W_REAL, "0.3");
     program.type_into(FX, "-700");
-    assert_eq!(count(&program, "The focal length cannot be negative"), 2, "{}", program.text());
+    // At the field, and in the cell of each of them.
+    assert_eq!(count(&program, "The focal length cannot be negative"), 3, "{}", program.text());
+    for method in ["Stereo", "Monocular"] {
+        assert!(
+            program.answer(method).contains("No distance: fx must be above 0 px."),
+            "{}",
+            program.answer(method)
+        );
+    }
     // And where another quantity is solved for.
     program.type_into(FX, "700");
-    program.press("Solve for another quantity");
-    program.choose("Solve for", "Stereo: Camera baseline (b)");
+    program.press("Another quantity");
+    program.radio("Baseline");
     program.type_into("Distance (D)", "1.4");
     assert_eq!(count(&program, zero), 1, "{}", program.text());
-    assert_eq!(count(&program, "None; see the note on the disparity"), 1, "{}", program.text());
+    assert!(
+        program.answer("Camera baseline").contains("d must be above 0 px."),
+        "{}",
+        program.answer("Camera baseline")
+    );
     program.type_into(D, "50");
     program.type_into("Distance (D)", "-1");
-    assert_eq!(count(&program, "The distance cannot be negative"), 1, "{}", program.text());
+    assert_eq!(count(&program, "The distance cannot be negative"), 2, "{}", program.text());
     // What is missing is named where the result would be, and said at the field once somebody asks.
     program.type_into("Distance (D)", "");
-    assert_eq!(count(&program, "Needs D"), 1, "{}", program.text());
+    assert!(
+        program.answer("Camera baseline").contains("needs Distance (D)"),
+        "{}",
+        program.answer("Camera baseline")
+    );
     assert_eq!(count(&program, "The distance is missing"), 0, "{}", program.text());
-    program.press("Calculate Distance");
+    program.press("Calculate Camera baseline");
     assert_eq!(program.focused(), "Distance (D)");
     assert_eq!(count(&program, "The distance is missing"), 1, "{}", program.text());
 }
@@ -249,21 +288,22 @@ fn what_is_wrong_is_said_at_the_field_and_once_among_the_results() {
 fn what_sums_up_the_results_is_the_combined_distance_or_says_that_they_disagree() {
     let mut program = Program::on(Machine::default(), PHONE);
     program.two_distances();
-    let bar = "Combined\nCombined\n1.442 m";
-    assert!(program.says(bar), "{}", program.text());
+    let bar = program.bar();
+    assert!(bar.starts_with("Combined Agree (1.442 ± 0.018) m"), "{bar}");
+    assert!(
+        bar.contains("Stereo (1.400 ± 0.056) m") && bar.contains("Monocular (1.447 ± 0.019) m"),
+        "{bar}"
+    );
     assert!(
         program.says("the object 1.442 m away by both methods combined"),
         "{}",
         program.text()
     );
-    assert_eq!(program.cell("Intermediate values", "Object distance (D, combined)"), "1.442 m");
-    assert_eq!(
-        program.cell("Key input parameters and outputs", "Object distance (D, combined)"),
-        "1.442"
-    );
+    assert_eq!(program.cell("Object distance (D, combined)"), "1.442 ± 0.018");
     program.type_into(W_REAL, "3.1");
-    assert!(!program.says(bar));
-    assert!(program.says("14.47 m\n14.47 m\nThey disagree"), "{}", program.text());
+    let bar = program.bar();
+    assert!(bar.starts_with("Combined Disagree Monocular is 10 times stereo"), "{bar}");
+    assert_eq!(program.cell("Object distance (D, combined)"), "–");
     assert!(program.says("the object 1.400 m away by stereo"), "{}", program.text());
 }
 

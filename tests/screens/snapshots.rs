@@ -1,4 +1,4 @@
-//! How the screens look.
+//! How the screens look. Longer than a file should be, as it is one list of screens.
 
 use crate::images;
 use crate::llvmpipe::{self, Painter};
@@ -9,6 +9,8 @@ use egui::{Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use image::RgbImage;
+use std::cell::RefCell;
+use std::rc::Rc;
 
 /// How much of a screen an image shows.
 #[derive(Clone, Copy)]
@@ -39,12 +41,20 @@ const fn view(name: &'static str, size: Vec2, is_dark: bool) -> View {
     }
 }
 
-const DESKTOP_LIGHT: View = view("desktop-light", DESKTOP, false);
-const DESKTOP_DARK: View = view("desktop-dark", DESKTOP, true);
+const TABLET: Vec2 = vec2(768.0, 1024.0);
+const WIDE: Vec2 = vec2(1920.0, 1080.0);
+const HUGE: Vec2 = vec2(2560.0, 1440.0);
+
 const PHONE_LIGHT: View = view("phone-light", PHONE, false);
 const PHONE_DARK: View = view("phone-dark", PHONE, true);
-const TABLET_LIGHT: View = view("tablet-light", vec2(768.0, 1024.0), false);
-const WIDE_DARK: View = view("wide-dark", vec2(1920.0, 1080.0), true);
+const TABLET_LIGHT: View = view("tablet-light", TABLET, false);
+const TABLET_DARK: View = view("tablet-dark", TABLET, true);
+const DESKTOP_LIGHT: View = view("desktop-light", DESKTOP, false);
+const DESKTOP_DARK: View = view("desktop-dark", DESKTOP, true);
+const WIDE_LIGHT: View = view("wide-light", WIDE, false);
+const WIDE_DARK: View = view("wide-dark", WIDE, true);
+const HUGE_LIGHT: View = view("huge-light", HUGE, false);
+const HUGE_DARK: View = view("huge-dark", HUGE, true);
 
 impl View {
     const fn only(self, part: Part) -> Self {
@@ -59,30 +69,48 @@ impl View {
     }
 }
 
-/// A screen with all that scrolls.
-const WHOLE: [View; 4] = [DESKTOP_LIGHT, DESKTOP_DARK, PHONE_LIGHT, PHONE_DARK];
-/// What a screen shows first.
-const TOP: [View; 4] = [
-    DESKTOP_LIGHT.only(Part::Window),
-    DESKTOP_DARK.only(Part::Window),
-    PHONE_LIGHT.only(Part::Window),
-    PHONE_DARK.only(Part::Window),
+/// Every width, light and dark.
+const EVERY: [View; 10] = [
+    PHONE_LIGHT,
+    PHONE_DARK,
+    TABLET_LIGHT,
+    TABLET_DARK,
+    DESKTOP_LIGHT,
+    DESKTOP_DARK,
+    WIDE_LIGHT,
+    WIDE_DARK,
+    HUGE_LIGHT,
+    HUGE_DARK,
 ];
+/// What a screen shows first, where its colors are those of others.
+const TOP: [View; 2] = [DESKTOP_LIGHT.only(Part::Window), PHONE_DARK.only(Part::Window)];
 /// A dialog.
-const DIALOG: [View; 4] = [
-    DESKTOP_LIGHT.only(Part::Middle),
-    DESKTOP_DARK.only(Part::Middle),
-    PHONE_LIGHT.only(Part::Window),
-    PHONE_DARK.only(Part::Window),
-];
+const DIALOG: [View; 2] = [DESKTOP_LIGHT.only(Part::Middle), PHONE_DARK.only(Part::Window)];
 
 /// Compares a screen in several windows. `prepare` brings the program to where it is drawn.
 fn look(screen: &str, views: &[View], prepare: impl Fn(&mut Program)) {
+    let stored = RefCell::new(None);
+    look_from(screen, views, &stored, prepare);
+}
+
+/// Compares what was typed once, in several windows; nothing has the keyboard there.
+fn look_at_typed(screen: &str, views: &[View], fill: impl Fn(&mut Program)) {
+    if llvmpipe::version().is_none() {
+        return;
+    }
+    let mut typed = Program::new();
+    fill(&mut typed);
+    typed.blur();
+    look_from(screen, views, &typed.machine.stored, |_| {});
+}
+
+/// Compares a screen in several windows, in which the program begins with what is stored.
+fn look_from(screen: &str, views: &[View], stored: &RefCell<Option<String>>, prepare: impl Fn(&mut Program)) {
     let mut problems = Vec::new();
     let Some(renderer) = llvmpipe::version() else { return };
     for view in views {
         let Some(painter) = Painter::new() else { return };
-        let mut program = open(*view, painter.clone());
+        let mut program = open(*view, painter.clone(), stored.borrow().clone());
         prepare(&mut program);
         program.harness.remove_cursor();
         if matches!(view.part, Part::Whole) {
@@ -99,15 +127,19 @@ fn look(screen: &str, views: &[View], prepare: impl Fn(&mut Program)) {
 const DIALOG_WIDTH: u32 = 600;
 
 /// The program in a window, light or dark.
-fn open(view: View, painter: Painter) -> Program {
+fn open(view: View, painter: Painter, stored: Option<String>) -> Program {
     let builder = Harness::builder().with_size(view.size).with_pixels_per_point(1.0).renderer(painter);
     let machine = Machine {
         commit: Some("0123456789abcdef"),
+        stored: Rc::new(RefCell::new(stored)),
         ..Machine::default()
     };
     let mut program = Program::build(machine, builder);
     // Letters in four positions between two pixels each would make the files a quarter larger.
-    let all_styles = |style: &mut egui::Style| style.visuals.text_options.subpixel_binning = false;
+    let all_styles = |style: &mut egui::Style| {
+        style.visuals.text_options.subpixel_binning = false;
+        style.visuals.text_cursor.blink = false;
+    };
     program.harness.ctx.all_styles_mut(all_styles);
     program.press("Light or dark");
     let theme = if view.is_dark { "Dark" } else { "Light" };
@@ -146,64 +178,55 @@ impl Program {
     }
 }
 
-#[test]
-fn the_empty_calculator_looks_as_before() {
-    look("empty", &TOP, |_| {});
+/// Everything typed that a distance has, with its σ.
+fn fill(program: &mut Program) {
+    program.mug();
+    program.type_into(W_IMG, "150");
+    program.type_into(W_REAL, "0.30");
+    for (field, sigma) in [(FX, "2"), (B, "0.5"), (D, "0.5"), (W_IMG, "2"), (W_REAL, "0.01")] {
+        type_sigma(program, field, sigma);
+    }
+    program.blur();
 }
 
 #[test]
-fn the_mug_looks_as_before() {
-    let views = [&WHOLE[..], &[TABLET_LIGHT, WIDE_DARK]].concat();
-    look("mug", &views, |program| {
-        program.mug();
-        program.blur();
-    });
+fn the_start_looks_as_before() {
+    let views = [PHONE_LIGHT, DESKTOP_LIGHT, DESKTOP_DARK, WIDE_LIGHT, HUGE_DARK];
+    look("start", &views, |_| {});
 }
 
 #[test]
-fn both_methods_with_uncertainty_and_geometry_look_as_before() {
-    look("everything", &WHOLE, |program| {
+fn both_methods_with_uncertainty_look_as_before_at_every_width() {
+    look_at_typed("full", &EVERY, fill);
+}
+
+#[test]
+fn distances_without_uncertainty_look_as_before() {
+    look_at_typed("exact", &[DESKTOP_LIGHT], |program| {
         program.mug();
         program.type_into(W_IMG, "150");
         program.type_into(W_REAL, "0.30");
-        program.press("Add uncertainty");
-        for (field, sigma) in [(FX, "2"), (B, "0.5"), (D, "12"), (W_IMG, "30"), (W_REAL, "0.01")] {
-            type_sigma(program, field, sigma);
-        }
-        fill_geometry(program);
-        program.blur();
-        // Simulations, and what moves.
-        program.harness.run_steps(60);
-        assert_eq!(program.text().matches("100\u{a0}000 draws").count(), 2, "{}", program.text());
     });
 }
 
-fn fill_geometry(program: &mut Program) {
-    program.press("Range, tilt, ground plane");
-    for (field, text) in [
-        ("Principal point cx", "640"),
-        ("Principal point cy", "360"),
-        ("Column of the pixel (u)", "900"),
-        ("Row of the pixel (v)", "500"),
-        ("Tilt of the target", "20"),
-        ("Height of the camera", "1.2"),
-        ("Pitch of the camera, downwards", "10"),
-        ("Row of the point on the floor", "500"),
-    ] {
-        program.type_into(field, text);
-    }
-    for (field, sigma) in [
-        ("Height of the camera", "0.01"),
-        ("Pitch of the camera, downwards", "0.5"),
-        ("Row of the point on the floor", "1"),
-    ] {
-        type_sigma(program, field, sigma);
-    }
+#[test]
+fn one_method_alone_looks_as_before() {
+    look_at_typed("mug", &[DESKTOP_LIGHT], |program| {
+        program.mug();
+    });
+}
+
+#[test]
+fn an_error_after_a_valid_form_looks_as_before() {
+    look("error", &[DESKTOP_LIGHT, DESKTOP_DARK, PHONE_LIGHT], |program| {
+        fill(program);
+        program.type_into(D, "−12");
+    });
 }
 
 #[test]
 fn errors_and_warnings_look_as_before() {
-    look("errors", &WHOLE, |program| {
+    look("errors", &[DESKTOP_LIGHT, PHONE_DARK], |program| {
         program.type_into(FX, "1,000");
         program.type_into(B, "0.1");
         program.type_into(D, "abc");
@@ -213,29 +236,183 @@ fn errors_and_warnings_look_as_before() {
 }
 
 #[test]
+fn methods_that_disagree_look_as_before() {
+    look_at_typed("disagree", &[DESKTOP_LIGHT, PHONE_LIGHT], |program| {
+        fill(program);
+        program.type_into(B, "10");
+    });
+}
+
+#[test]
+fn a_distance_that_first_order_does_not_describe_looks_as_before() {
+    look("simulated", &[DESKTOP_LIGHT], |program| {
+        fill(program);
+        for (field, sigma) in [(D, "12"), (W_IMG, "30")] {
+            program.type_into(&format!("Uncertainty of {field}"), sigma);
+        }
+        program.blur();
+        // Simulations, and what moves.
+        program.harness.run_steps(60);
+        assert_eq!(program.text().matches("100\u{a0}000 draws").count(), 2, "{}", program.text());
+    });
+}
+
+#[test]
+fn range_tilt_and_zero_point_look_as_before() {
+    look_at_typed("refined", &[DESKTOP_LIGHT, PHONE_LIGHT], |program| {
+        fill(program);
+        program.press("Range, tilt, zero point");
+        for (field, text) in [
+            ("Principal point cx", "640"),
+            ("Principal point cy", "360"),
+            ("Column of the pixel (u)", "900"),
+            ("Row of the pixel (v)", "500"),
+            ("Tilt of the target", "20"),
+        ] {
+            program.type_into(field, text);
+        }
+    });
+}
+
+#[test]
 fn the_card_with_whole_notes_looks_as_before() {
-    look("note", &[TOP[0], TOP[3]], |program| {
-        program.press("Add uncertainty");
+    look("note", &TOP, |program| {
         program.type_into(FX, "-7,000");
         type_sigma(program, FX, "many");
     });
 }
 
 #[test]
-fn solving_for_another_quantity_looks_as_before() {
-    look("unknown", &WHOLE, |program| {
-        program.type_into(FX, "700");
-        program.type_into(B, "100");
-        program.press("Solve for another quantity");
-        program.type_into("Distance (D)", "1.4");
-        program.blur();
+fn another_quantity_looks_as_before() {
+    look_at_typed("quantity", &[DESKTOP_LIGHT, PHONE_LIGHT, WIDE_DARK], |program| {
+        program.mug();
+        for (field, sigma) in [(FX, "2"), (B, "0.5")] {
+            type_sigma(program, field, sigma);
+        }
+        program.ask("Another quantity");
+        program.type_into("Distance (D)", "1.40");
+        type_sigma(program, "Distance (D)", "0.01");
     });
+}
+
+#[test]
+fn the_ground_plane_looks_as_before() {
+    look_at_typed("ground", &[DESKTOP_LIGHT, DESKTOP_DARK, PHONE_LIGHT, WIDE_DARK], |program| {
+        program.ask("Ground plane");
+        for (field, text) in [
+            (FX, "700"),
+            ("Principal point cx", "640"),
+            ("Principal point cy", "360"),
+            ("Height of the camera", "1.20 ± 0.01"),
+            ("Pitch of the camera, downwards", "10 ± 0.2"),
+            ("Column of the point on the floor", "1100"),
+            ("Row of the point on the floor", "500 ± 1"),
+        ] {
+            program.type_into(field, text);
+        }
+    });
+}
+
+#[test]
+fn two_photographs_look_as_before() {
+    look_at_typed("two-photographs", &[DESKTOP_LIGHT, PHONE_DARK], |program| {
+        program.ask("Two photographs and a step");
+        program.type_into("Width in the first photograph", "1162 ± 3");
+        program.type_into("Width in the second photograph", "1429 ± 3");
+        program.type_into("Step between them", "419.1 mm");
+    });
+}
+
+#[test]
+fn two_points_look_as_before() {
+    look_at_typed("two-points", &[DESKTOP_DARK, PHONE_LIGHT], |program| {
+        program.ask("Two points");
+        for (field, text) in [
+            (FX, "452.9"),
+            (B, "75"),
+            ("Principal point cx", "298.85"),
+            ("Principal point cy", "245.52"),
+            ("Column of the first point", "138"),
+            ("Row of the first point", "219"),
+            ("Disparity of the first point", "36 ± 0.5"),
+            ("Column of the second point", "264"),
+            ("Row of the second point", "216"),
+            ("Disparity of the second point", "30 ± 0.5"),
+        ] {
+            program.type_into(field, text);
+        }
+    });
+}
+
+/// Draws the first frame after `change` and the one that stays, and fails where they differ.
+fn compare_frames(view: View, prepare: impl Fn(&mut Program), change: impl Fn(&mut Program)) {
+    let Some(painter) = Painter::new() else { return };
+    let mut program = open(view, painter.clone(), None);
+    // egui knows that there is something to scroll from the frame before. The bar lies between the columns and moves nothing.
+    program.harness.ctx.all_styles_mut(|style| {
+        style.spacing.scroll.dormant_handle_opacity = 0.0;
+        style.spacing.scroll.active_handle_opacity = 0.0;
+    });
+    prepare(&mut program);
+    program.harness.remove_cursor();
+    program.harness.run();
+    change(&mut program);
+    program.harness.step();
+    let first = painter.draw(&program.harness.ctx, program.harness.output());
+    program.harness.run();
+    let last = painter.draw(&program.harness.ctx, program.harness.output());
+    let differing = first.enumerate_pixels().filter(|(x, y, pixel)| last.get_pixel(*x, *y) != *pixel);
+    let places: Vec<(u32, u32)> = differing.map(|(x, y, _)| (x, y)).collect();
+    if let (Some(first_place), Some(last_place)) = (places.first(), places.last()) {
+        for (name, image) in [("first", &first), ("last", &last)] {
+            image
+                .save(images::output_folder().join(format!("{name}-frame-{}.png", view.name)))
+                .unwrap();
+        }
+        panic!(
+            "{}: {} pixels differ, from {first_place:?} to {last_place:?}",
+            view.name,
+            places.len()
+        );
+    }
+}
+
+#[test]
+fn the_first_frame_after_a_key_looks_as_the_one_that_stays() {
+    for view in [PHONE_LIGHT, DESKTOP_LIGHT, WIDE_DARK] {
+        let prepare = |program: &mut Program| {
+            fill(program);
+            program.type_into(D, "5");
+            // As high as all of it: nothing is out of sight, and no scroll bar comes or goes.
+            program.grow_to_contents(view.size);
+            program.input(D).focus();
+            program.harness.run();
+            program.harness.key_press(egui::Key::End);
+            program.harness.run();
+        };
+        compare_frames(view, prepare, |program| program.harness.event(egui::Event::Text("0".to_owned())));
+    }
+}
+
+#[test]
+fn the_first_frame_of_another_width_looks_as_the_one_that_stays() {
+    for view in [PHONE_DARK, TABLET_LIGHT, DESKTOP_DARK, WIDE_LIGHT] {
+        let change = |program: &mut Program| _ = program.harness.set_size(view.size);
+        compare_frames(
+            View {
+                size: view.size - vec2(24.0, 0.0),
+                ..view
+            },
+            fill,
+            change,
+        );
+    }
 }
 
 #[test]
 fn the_helper_for_the_focal_length_looks_as_before() {
     look("focal-length", &DIALOG, |program| {
-        program.press("from lens, FOV or Q…");
+        program.press("From lens, FOV or Q…");
         program.type_into("Focal length of the lens", "4");
         program.type_into("Pixel pitch", "3");
         program.blur();
@@ -245,7 +422,7 @@ fn the_helper_for_the_focal_length_looks_as_before() {
 #[test]
 fn the_helper_for_the_disparity_looks_as_before() {
     look("disparity", &DIALOG, |program| {
-        program.press("OpenCV ×16, doffs…");
+        program.press("OpenCV × 16, doffs…");
         program.choose("What is known", "OpenCV StereoBM or StereoSGBM");
         program.type_into("Stored value", "-16");
         program.type_into("minDisparity", "0");
@@ -275,7 +452,7 @@ fn what_a_q_matrix_filled_in_a_notice_and_a_choice_of_units_look_as_before() {
 }
 
 fn type_q_matrix(program: &mut Program) {
-    program.press("from lens, FOV or Q…");
+    program.press("From lens, FOV or Q…");
     program.choose("What is known", "A Q matrix");
     program.harness.get_by_label("Q matrix").focus();
     program.harness.run();

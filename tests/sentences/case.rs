@@ -63,7 +63,6 @@ impl Case<'_> {
         });
         Inputs {
             entries: self.entries(),
-            with_uncertainty: true,
             unknown,
             object: Object::ALL
                 .into_iter()

@@ -8,6 +8,7 @@
 //! - `[form]`: `field = text`, and `± field = text` for its σ. A field is named by its key. `[form, solved for b]` solves
 //!   the stereo equation for the field b, or that of one camera if it is one of its fields. `[form, to be calculated]` adds
 //!   what is said when something is missing, `[form, results]` what is said of the results.
+//!   `[form, strip Distance]` shows the cells of the answer to what is asked for, with what is remarked below each.
 //!   `object: height` and `pair: vertical` are what is chosen.
 //! - `[way KEY]`: the fields that this way to a number asks for.
 //! - `[Q matrix]`: the text of a matrix.

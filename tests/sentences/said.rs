@@ -1,10 +1,12 @@
 //! What is said about the cases of a file.
 
 use crate::case::{Case, cases};
-use depth_calculator::core::problem::Method;
-use depth_calculator::core::quantity::Length;
+use depth_calculator::core::problem::{Field, Method};
+use depth_calculator::core::quantity::{Length, LengthUnit};
 use depth_text::field::Key;
+use depth_text::form::Inputs;
 use depth_text::note::{Issue, Note, Part, Severity};
+use depth_text::report::{Mode, Shown, Strip};
 use depth_text::sentences::{CommandLine, Statement};
 use depth_text::ways::{BASELINES, DISPARITIES, FOCAL_LENGTHS, Way};
 use depth_text::{q_matrix, report};
@@ -70,6 +72,10 @@ impl Said {
     fn form(&mut self, case: &Case<'_>) {
         let inputs = case.inputs();
         let assessment = inputs.assess();
+        if let Some(mode) = case.how.strip_prefix("strip ") {
+            let mode = Mode::ALL.into_iter().find(|one| one.name() == mode).unwrap();
+            return self.strip(mode, &inputs);
+        }
         assessment.notes.iter().for_each(|note| self.note(note));
         if let Some(Err(issue)) = assessment.unknown.as_ref().map(|unknown| &unknown.outcome) {
             self.issue("in place of the result", issue);
@@ -114,6 +120,25 @@ impl Said {
                     self.statement(&Statement::FirstOrderIsPoor { has_simulation });
                 }
             }
+        }
+    }
+
+    /// The cells of the answer: what was solved for is the disparity.
+    fn strip(&mut self, mode: Mode, inputs: &Inputs) {
+        let inputs = Inputs {
+            unknown: (mode == Mode::Quantity).then_some((Method::Stereo, Field::Disparity)),
+            ..inputs.clone()
+        };
+        let assessment = inputs.assess();
+        let shown = Shown {
+            inputs: &inputs,
+            assessment: &assessment,
+            unit: LengthUnit::Meter,
+            was: None,
+        };
+        for cell in Strip::new(mode, &shown).cells {
+            self.line(&format!("  {}", cell.text()));
+            cell.remarks.iter().for_each(|remark| self.line(&format!("    {remark}")));
         }
     }
 

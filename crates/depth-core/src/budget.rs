@@ -12,6 +12,19 @@ pub struct Share {
     pub share: f64,
 }
 
+/// What an input with this share of the variance makes of `sigma` alone: σ·√share.
+///
+/// ```
+/// use depth_core::uncertainty::part_of_sigma;
+///
+/// assert!((part_of_sigma(0.64, 0.05) - 0.04).abs() < 1e-12);
+/// ```
+///
+/// Source: JCGM 100:2008 (GUM), 5.1.3: u_i(y), whose squares add to that of u(y).
+pub fn part_of_sigma(share: f64, sigma: f64) -> f64 {
+    sigma * share.sqrt()
+}
+
 /// Which input causes which part of a variance, in reading order; the shares add to 1. Empty where every input is exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Budget {

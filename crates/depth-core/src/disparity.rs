@@ -122,6 +122,40 @@ pub fn is_no_match(pixels: f64) -> bool {
     is(pixels) || is(pixels / 16.0)
 }
 
+/// The disparity as OpenCV's StereoBM and StereoSGBM store it, in sixteenths of a pixel.
+///
+/// ```
+/// use depth_core::disparity::as_stored_by_opencv;
+/// use depth_core::measured::Measured;
+///
+/// assert_eq!(as_stored_by_opencv(Measured::from_base(50.0, 0.5)), Measured::new(800.0, 8.0));
+/// ```
+///
+/// Source: OpenCV, `StereoMatcher::DISP_SCALE`.
+pub fn as_stored_by_opencv(disparity: Measured<Pixels>) -> Measured<f64> {
+    let scale = 16.0;
+    Measured::new(disparity.value.px() * scale, disparity.sigma.px() * scale)
+}
+
+/// The smallest numDisparities with which OpenCV's matchers find `disparity` from minDisparity 0 on: a multiple of 16 above it. `None`
+/// where that would not fit into an image.
+///
+/// ```
+/// use depth_core::disparity::num_disparities;
+/// use depth_core::quantity::Pixels;
+///
+/// assert_eq!(num_disparities(Pixels::new(50.5)), Some(64));
+/// assert_eq!(num_disparities(Pixels::new(64.0)), Some(80));
+/// assert_eq!(num_disparities(Pixels::new(-3.0)), None);
+/// ```
+///
+/// Source: OpenCV, `StereoSGBM`: numDisparities is divisible by 16, and disparities are below minDisparity + numDisparities.
+pub fn num_disparities(disparity: Pixels) -> Option<u32> {
+    (0..4096_u32)
+        .map(|steps| (steps + 1) * 16)
+        .find(|&range| disparity.px() >= 0.0 && f64::from(range) > disparity.px())
+}
+
 impl SubpixelBits {
     /// What to divide by.
     ///

@@ -98,6 +98,19 @@ impl<Q: Quantity> Measured<Q> {
     }
 }
 
+impl Measured<f64> {
+    /// Value − σ and value + σ.
+    ///
+    /// ```
+    /// use depth_core::measured::Measured;
+    ///
+    /// assert_eq!(Measured::new(50.0, 0.5).ends(), [49.5, 50.5]);
+    /// ```
+    pub fn ends(self) -> [f64; 2] {
+        [self.value - self.sigma, self.value + self.sigma]
+    }
+}
+
 /// a·b/c of three independent positive quantities, its σ to first order; `None` where either is too large to be represented
 /// or the value too small. The units are the caller's: those of a and b over that of c must be that of the result.
 ///

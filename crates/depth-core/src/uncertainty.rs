@@ -10,7 +10,7 @@ use crate::measured::Measured;
 use crate::quantity::Length;
 use std::f64::consts::PI;
 
-pub use crate::budget::{Budget, Share};
+pub use crate::budget::{Budget, Share, part_of_sigma};
 pub use crate::model::Model;
 
 /// The relative σ of the divisor up to which the first-order σ can be trusted: 10 %.

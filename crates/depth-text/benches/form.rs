@@ -56,7 +56,6 @@ fn form() -> Inputs {
     let mut inputs = Example::CoffeeMug.inputs();
     inputs.entry_mut(Field::ImageWidth).text = "150".into();
     inputs.entry_mut(Field::RealWidth).text = "0.3".into();
-    inputs.with_uncertainty = true;
     for field in Field::ALL {
         inputs.set_sigma(field, "1 %");
     }

@@ -44,6 +44,8 @@ pub struct Unknown {
     pub outcome: Result<Solved, Issue>,
     /// The distance that was given, where it can be used.
     pub distance: Option<Measured<Length>>,
+    /// What else was given, each with its σ; the quantity is not in it.
+    pub given: Problem,
 }
 
 impl Assessment {
@@ -153,7 +155,10 @@ impl Inputs {
             if let Err(Issue::SigmaOutOfProportion { key }) = outcome {
                 notes.push(Note::of_sigma(key, Issue::SigmaOutOfProportion { key }));
             }
+            let mut given = problem;
+            given.set(field, None);
             Unknown {
+                given,
                 method,
                 field,
                 // What was refused is not missing.
@@ -223,7 +228,7 @@ impl Inputs {
         for key in Key::form().map(|key| self.worded(key)) {
             let reading = readings.iter().find(|reading| reading.key == key);
             notes.extend(problem::judge(&mut problem, key, self.entry(key), reading, self.offset()));
-            if !self.counts_sigma(key) {
+            if !self.takes_sigma(key) {
                 continue;
             }
             let unit = reading.map_or_else(|| self.entry(key).chosen_unit(key), |reading| reading.sigma_unit);
@@ -235,9 +240,9 @@ impl Inputs {
             };
             match reading::read_sigma(key, self.entry(key), unit, value) {
                 Ok(sigma) => {
-                    problem::set_sigma(&mut problem, key, sigma);
+                    problem::set_sigma(&mut problem, key, sigma.as_ref().map(|sigma| sigma.value));
                     if let Some(reading) = readings.iter_mut().find(|reading| reading.key == key) {
-                        reading.sigma = sigma.filter(|&sigma| sigma > 0.0);
+                        *reading = reading.clone().with_sigma(sigma);
                     }
                 }
                 Err(note) => {
@@ -284,23 +289,22 @@ impl Inputs {
             readings.push(reading);
             return None;
         }
-        let sigma = if self.counts_sigma(key) {
+        let sigma = if self.takes_sigma(key) {
             reading::read_sigma(key, entry, reading.sigma_unit, Some(reading.value))
         } else {
             Ok(None)
         };
-        let distance = match sigma {
-            Ok(sigma) => Some(Measured::<Length>::from_base(reading.value, sigma.unwrap_or(0.0))),
+        let sigma = match sigma {
+            Ok(sigma) => sigma,
             Err(note) => {
                 notes.push(note);
-                None
+                readings.push(reading);
+                return None;
             }
         };
-        readings.push(Reading {
-            sigma: distance.map(|distance| distance.sigma.m()).filter(|sigma| *sigma > 0.0),
-            ..reading
-        });
-        distance
+        let distance = Measured::from_base(reading.value, sigma.as_ref().map_or(0.0, |sigma| sigma.value));
+        readings.push(reading.with_sigma(sigma));
+        Some(distance)
     }
 
     /// Adds what a complete but useless method has to say, and what a σ out of all proportion is.
@@ -325,14 +329,9 @@ impl Inputs {
         self.unknown.is_some_and(|(_, field)| key == field)
     }
 
-    /// Whether what was typed for σ of the field `key` counts. Those of a range and of the ways of their own always do, as they are
-    /// always shown.
-    pub fn counts_sigma(&self, key: Key) -> bool {
-        let is_shown = self.with_uncertainty
-            || self.entry(key).parts().is_some()
-            || key.section == Some(Section::Point)
-            || key.section.is_some_and(Section::is_way_of_its_own);
-        key.has_sigma && is_shown && !self.is_solved_for(key)
+    /// Whether a σ of the field `key` counts: where there is one, and it is not solved for.
+    pub(crate) fn takes_sigma(&self, key: Key) -> bool {
+        key.has_sigma && !self.is_solved_for(key)
     }
 
     fn offset(&self) -> Offset {

@@ -104,8 +104,28 @@ impl Entry {
         chosen.or(key.kind.default_unit())
     }
 
-    /// Moves a unit typed behind the number into the choice beside it, and a σ into its field. What cannot be read is left as it is.
+    /// Moves a unit typed behind the number into the choice beside it, and a σ into its field, without a unit that is that of the value.
+    /// What cannot be read is left as it is.
     pub fn tidy(&mut self, key: Key) {
+        self.tidy_value(key);
+        self.tidy_sigma(key);
+    }
+
+    /// Leaves out the unit behind a σ where a bare one has the same.
+    fn tidy_sigma(&mut self, key: Key) {
+        let primes = key.kind.primes();
+        let is_bare = self.is_blank() || number::read(&self.text, primes).is_ok_and(|value| value.unit.is_none());
+        let Some(unit) = self.chosen_unit(key).filter(|_| is_bare) else {
+            return;
+        };
+        let text = self.sigma.trim().trim_start_matches('±').trim();
+        match number::read(text, primes) {
+            Ok(sigma) if sigma.unit == Some(unit) && !sigma.unit_text.is_empty() => self.sigma = sigma.number_text,
+            _ => {}
+        }
+    }
+
+    fn tidy_value(&mut self, key: Key) {
         if let Some((value, sigma)) = self.parts().filter(|_| key.has_sigma) {
             self.text = value;
             if !sigma.is_empty() {

@@ -178,8 +178,17 @@ pub struct FieldSpec {
     pub kind: Kind,
     /// Numbers to type, without unit: the first is shown in the empty field, all of them where a number is asked for.
     pub examples: &'static [&'static str],
-    /// The sentence under the field; may be empty.
+    /// The σ to type beside the first example, in its unit: shown in the empty field of the σ; empty where there is none.
+    pub sigma_example: &'static str,
+    /// The label above the field, without its symbol, which stands behind it; never its name for assistive technology.
+    pub label: &'static str,
+    /// The line under the field: where the number is found, what it is from and to, or how good it usually is. At most 56 characters.
     pub hint: &'static str,
+    /// The same where two fields share the width, at most 27 characters; empty where that is [`hint`](Self::hint).
+    pub hint_in_pair: &'static str,
+    /// What is left of the hint behind the value read back in another unit, its comma included: ", from lens center to lens center".
+    /// Where it is empty, a value that was typed in the unit of the field is not read back.
+    pub behind_reading: &'static str,
     /// What it means, in the table of parameters; may be empty.
     pub description: &'static str,
     /// Whether it can be below zero: the number keyboards of some phones have no minus.
@@ -205,7 +214,11 @@ impl FieldSpec {
         noun: "",
         kind: Kind::Plain,
         examples: &[],
+        sigma_example: "",
+        label: "",
         hint: "",
+        hint_in_pair: "",
+        behind_reading: "",
         description: "",
         signed: false,
         has_sigma: false,
@@ -218,6 +231,23 @@ impl FieldSpec {
     /// What is shown in the empty field.
     pub fn example(&self) -> &'static str {
         self.examples.first().copied().unwrap_or_default()
+    }
+
+    /// The line under the field where nothing is to be read back: [`hint`](Self::hint), or where two fields share the width
+    /// [`hint_in_pair`](Self::hint_in_pair).
+    pub const fn hint_for(&self, in_pair: bool) -> &'static str {
+        if in_pair && !self.hint_in_pair.is_empty() {
+            self.hint_in_pair
+        } else {
+            self.hint
+        }
+    }
+
+    /// Whether its symbol stands behind its label: only where there is one that formulas use.
+    pub fn shows_symbol(&self) -> bool {
+        !self.symbol.is_empty()
+            && self.section.is_some() | (self.key == "distance")
+            && !(self.symbol.len() > 2 && self.label.to_lowercase().contains(self.symbol))
     }
 
     /// The unit symbol of a bare number: "px", or empty.

@@ -10,12 +10,10 @@ use serde::{Deserialize, Serialize};
 
 /// Everything typed into the form.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
+#[serde(from = "Stored")]
 pub struct Inputs {
     /// What was typed, the distance included, by field.
     pub entries: Entries,
-    /// Whether the σ are asked for. Switched off, what was typed stays but does not count.
-    pub with_uncertainty: bool,
     /// What is solved for, where it is not the distance.
     pub unknown: Option<(Method, Field)>,
     /// What of the object is measured.
@@ -24,6 +22,33 @@ pub struct Inputs {
     /// How the cameras stand.
     #[serde(skip_serializing_if = "is_default")]
     pub pair: Pair,
+}
+
+/// The form as it is stored, also by programs in which σ could be switched off.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+struct Stored {
+    entries: Entries,
+    with_uncertainty: Option<bool>,
+    unknown: Option<(Method, Field)>,
+    object: Object,
+    pair: Pair,
+}
+
+impl From<Stored> for Inputs {
+    /// A σ that was typed and switched off did not count: it is left out.
+    fn from(stored: Stored) -> Self {
+        let mut inputs = Self {
+            entries: stored.entries,
+            unknown: stored.unknown,
+            object: stored.object,
+            pair: stored.pair,
+        };
+        if stored.with_uncertainty == Some(false) {
+            inputs.drop_hidden_sigmas();
+        }
+        inputs
+    }
 }
 
 fn is_default<T: Default + PartialEq>(value: &T) -> bool {
@@ -37,18 +62,34 @@ pub enum Example {
     CoffeeMug,
     /// 950 px, 0.9 m, 200 px: 4.275 m by its width.
     Doorway,
+    /// What stands in gray in the empty form, with every σ: 1.4 m by both methods.
+    Parcel,
+    /// A camera 1.2 m above the floor that looks 10° down: a point 3.74 m away along the floor.
+    Mast,
 }
 
 impl Example {
-    /// Both examples.
-    pub const ALL: [Self; 2] = [Self::CoffeeMug, Self::Doorway];
+    /// Those that have a link of their own, of distances and of the ground plane.
+    pub const ALL: [Self; 3] = [Self::CoffeeMug, Self::Doorway, Self::Mast];
 
-    /// The text of its button.
+    /// The name of its link.
     pub const fn name(self) -> &'static str {
         match self {
             Self::CoffeeMug => "Coffee mug (stereo)",
             Self::Doorway => "Doorway (monocular)",
+            Self::Parcel => "Parcel (both)",
+            Self::Mast => "Camera on a mast (ground plane)",
         }
+    }
+
+    /// The text of its link: the beginning of its name.
+    pub fn short_name(self) -> &'static str {
+        self.name().split(" (").next().unwrap_or_default()
+    }
+
+    /// Whether it is of the ground plane.
+    pub const fn is_of_ground(self) -> bool {
+        matches!(self, Self::Mast)
     }
 
     /// The form filled in. Source: the two worked examples of the page that this program reproduces.
@@ -59,6 +100,30 @@ impl Example {
                 inputs.entry_mut(fields::FOCAL_LENGTH).text = "700".into();
                 inputs.fill(fields::BASELINE, Entry::new("10", Some(LengthUnit::Centimeter)));
                 inputs.entry_mut(fields::DISPARITY).text = "50".into();
+            }
+            // What the fields show while they are empty.
+            Self::Parcel => {
+                for section in Section::FORM {
+                    for key in section.keys().filter(|key| !key.is_optional) {
+                        inputs.entry_mut(key).text = key.example().into();
+                        inputs.set_sigma(key, key.sigma_example);
+                    }
+                }
+            }
+            Self::Mast => {
+                for (key, text, sigma) in [
+                    (fields::FOCAL_LENGTH, "700", ""),
+                    (fields::FY, "700", ""),
+                    (fields::CX, "640", ""),
+                    (fields::CY, "360", ""),
+                    (fields::CAMERA_HEIGHT, "1.20", "0.05"),
+                    (fields::CAMERA_PITCH, "10", "0.5"),
+                    (fields::FLOOR_COLUMN, "1100", ""),
+                    (fields::FLOOR_ROW, "500", ""),
+                ] {
+                    inputs.entry_mut(key).text = text.into();
+                    inputs.set_sigma(key, sigma);
+                }
             }
             Self::Doorway => {
                 inputs.entry_mut(fields::FOCAL_LENGTH).text = "950".into();
@@ -130,6 +195,11 @@ impl Inputs {
         self.has(Section::is_geometry)
     }
 
+    /// Whether something is in a field of the point or the target, which refine a distance.
+    pub fn has_refinements(&self) -> bool {
+        self.has(|section| matches!(section, Section::Point | Section::Target))
+    }
+
     /// Whether something is in a field of two photographs or of two points.
     pub fn has_two(&self) -> bool {
         self.has(Section::is_of_two)
@@ -144,12 +214,22 @@ impl Inputs {
         Key::form().all(|key| self.entry(key).is_blank() && self.sigma(key).trim().is_empty())
     }
 
-    /// Moves a unit typed behind the number into the choice beside it, and a σ into its field, which is then shown. What cannot be
-    /// read is left as it is.
+    /// Moves a unit typed behind the number into the choice beside it, and a σ into its field. What cannot be read is left as it is.
     pub fn tidy(&mut self, key: impl Into<Key>) {
         let key = key.into();
-        self.with_uncertainty |= key.has_sigma && self.entry(key).parts().is_some();
         self.entry_mut(key).tidy(key);
+    }
+
+    /// Takes out each σ that programs did not count where uncertainty was switched off: all but those of a range and of the ways of
+    /// their own, and those that were typed behind their value.
+    pub(crate) fn drop_hidden_sigmas(&mut self) {
+        let always_counted = |key: &Key| key.section == Some(Section::Point) || key.section.is_some_and(Section::is_way_of_its_own);
+        for key in Key::form().chain([fields::DISTANCE]).filter(|key| !always_counted(key)) {
+            let entry = self.entry(key);
+            if !entry.sigma.is_empty() && entry.parts().is_none() {
+                self.entry_mut(key).sigma.clear();
+            }
+        }
     }
 
     /// Chooses `unit` for the field `key` and keeps the typed number: the person corrects the unit, the number is what they

@@ -5,7 +5,7 @@
 use crate::entry::Entry;
 use crate::field::{Key, Kind};
 use crate::note::{Fix, Issue, Note};
-use crate::number::{self, NumberError, Typed, plain, words_after_squares};
+use crate::number::{self, Notation, NumberError, Typed, plain, words_after_squares};
 use crate::unit::Unit;
 
 /// What a field means.
@@ -32,11 +32,56 @@ pub struct Reading {
     pub value: f64,
     /// σ in the base unit, where one was typed and can be used.
     pub sigma: Option<f64>,
+    /// That σ as it was typed; `None` where it was in %.
+    pub sigma_typed: Option<SigmaText>,
     /// Whether a σ was typed, be it 0.
     pub sigma_was_typed: bool,
 }
 
+/// A number that was typed for a σ, and its unit, which may be another one than that of the value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SigmaText {
+    /// The number as typed.
+    pub number: String,
+    /// Its unit; `None` where there are no units.
+    pub unit: Option<Unit>,
+}
+
+/// A σ that was typed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sigma {
+    /// In the base unit.
+    pub value: f64,
+    /// As typed; `None` where it was in %.
+    pub typed: Option<SigmaText>,
+}
+
 impl Reading {
+    /// The same with the σ that was read for it. One of 0 is none.
+    #[must_use]
+    pub fn with_sigma(self, sigma: Option<Sigma>) -> Self {
+        let sigma = sigma.filter(|sigma| sigma.value > 0.0);
+        Self {
+            sigma: sigma.as_ref().map(|sigma| sigma.value),
+            sigma_typed: sigma.and_then(|sigma| sigma.typed),
+            ..self
+        }
+    }
+
+    /// The σ in the unit of the value: as it was typed where it was typed in that unit, else with at most three digits: "0.5", and for
+    /// 1 % of 50 "0.5" as well. `None` without one.
+    pub fn sigma_text(&self) -> Option<String> {
+        let sigma = self.sigma?;
+        let as_typed = self
+            .sigma_typed
+            .as_ref()
+            .filter(|typed| typed.unit == self.unit && typed.number.len() <= LONGEST_SIGMA);
+        Some(match as_typed {
+            Some(typed) => typed.number.clone(),
+            None => Notation::SHORT.plain(self.unit.map_or(sigma, |unit| unit.from_base(sigma)), 3),
+        })
+    }
+
     /// "10 cm": the number as typed, with its unit.
     pub fn text(&self) -> String {
         match self.unit {
@@ -52,6 +97,9 @@ impl Reading {
         self.unit.map(Unit::base)
     }
 }
+
+/// A σ that nobody could read is written with fewer digits.
+const LONGEST_SIGMA: usize = 12;
 
 /// The correction that gives the number of `reading` the opposite sign and leaves its unit.
 pub(crate) fn with_opposite_sign(reading: &Reading) -> Fix {
@@ -118,18 +166,19 @@ pub fn read(key: Key, entry: &Entry) -> Result<Option<Reading>, Note> {
         unit_was_typed: typed.unit.is_some() || entry.unit_was_typed,
         value,
         sigma: None,
+        sigma_typed: None,
         sigma_was_typed: !entry.sigma_text().is_empty(),
     }))
 }
 
-/// Reads the σ in `entry` of the field `key` into its base unit; `None` where there is none, or where it is in % of a value
+/// Reads the σ in `entry` of the field `key`; `None` where there is none, or where it is in % of a value
 /// that is not known.
 ///
 /// A bare σ has the unit of the value, `unit`; one in % is of `value`, in the base unit.
 ///
 /// # Errors
 /// What is wrong with it.
-pub fn read_sigma(key: Key, entry: &Entry, unit: Option<Unit>, value: Option<f64>) -> Result<Option<f64>, Note> {
+pub fn read_sigma(key: Key, entry: &Entry, unit: Option<Unit>, value: Option<f64>) -> Result<Option<Sigma>, Note> {
     let text = entry.sigma_text();
     let text = number::normalized(text.trim());
     let text = text.as_ref();
@@ -160,7 +209,16 @@ pub fn read_sigma(key: Key, entry: &Entry, unit: Option<Unit>, value: Option<f64
         (None, false, _) => unit.map_or(typed.number, |unit| unit.to_base(typed.number)),
     };
     if sigma.is_finite() {
-        Ok(Some(sigma))
+        let number = if typed.is_computed {
+            plain(typed.number)
+        } else {
+            typed.number_text
+        };
+        let unit = typed.unit.or(unit);
+        Ok(Some(Sigma {
+            value: sigma,
+            typed: (!percent).then_some(SigmaText { number, unit }),
+        }))
     } else {
         wrong(Issue::SigmaTooLarge { key, text: quote() })
     }
@@ -176,7 +234,12 @@ pub fn read_with_sigma(key: Key, entry: &Entry) -> Result<Option<Reading>, Note>
         .as_ref()
         .map_or_else(|| entry.chosen_unit(key), |reading| reading.sigma_unit);
     let sigma = read_sigma(key, entry, unit, reading.as_ref().map(|reading| reading.value))?;
-    Ok(reading.map(|reading| Reading { sigma, ..reading }))
+    // One of 0 is there, too.
+    let value = sigma.as_ref().map(|sigma| sigma.value);
+    Ok(reading.map(|reading| Reading {
+        sigma: value,
+        ..reading.with_sigma(sigma)
+    }))
 }
 
 fn wrong_unit(key: Key, entry: &Entry, typed: &Typed, unit: Unit) -> Issue {

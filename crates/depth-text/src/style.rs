@@ -3,13 +3,16 @@
 use crate::assess::Assessment;
 use crate::field::Key;
 use crate::names::formula;
-use crate::number::{self, NO_NUMBER, Notation, TYPED_DIGITS, magnitude};
+use crate::number::{self, NO_NUMBER, Notation, TYPED_DIGITS, magnitude, with_minus};
 use crate::reading::Reading;
 use crate::unit::Unit;
 use depth_core::in_image::InImage;
 use depth_core::measured::Measured;
 use depth_core::problem::{Field, Method, Solution, Solved, Uncertainty};
 use depth_core::quantity::{Length, LengthUnit};
+
+/// A number that was typed with more characters stands with fewer digits, as nobody could read it.
+const LONGEST_TYPED: usize = 16;
 
 /// Significant digits of a result without σ.
 pub const DIGITS: usize = 4;
@@ -21,14 +24,23 @@ pub const NO_UPPER_BOUND: &str = "no upper bound";
 #[derive(Clone, Copy, Debug)]
 pub struct Style {
     notation: Notation,
-    /// Between both ends of a range.
+    /// Between both ends of a range, spaces included.
     to: &'static str,
-    /// Behind the near end of a range without a far one.
-    open_end: [&'static str; 2],
+    /// Behind the near end of a range without a far one, the unit left out where it follows.
+    open_end: OpenEnd,
     /// Whether a simulation is shown where σ alone would mislead.
     pub(crate) has_simulation: bool,
     /// Whether lengths that are long or short in the unit that was chosen are written in the next one.
     follows_unit: bool,
+}
+
+/// How a range ends that has no far end.
+#[derive(Clone, Copy, Debug)]
+enum OpenEnd {
+    /// "35.00…∞ m"
+    Infinity,
+    /// "35.00 m or more, without an upper bound"
+    Words(&'static str),
 }
 
 /// A value and its σ, written to the same decimal.
@@ -43,15 +55,10 @@ pub struct WithSigma {
 }
 
 impl WithSigma {
-    /// "1.400 ± 0.016 m", "(1.400 ± 0.016) × 10⁻¹¹ m".
+    /// "(1.400 ± 0.016) m", "(1.400 ± 0.016) × 10⁻¹¹ m", "(4.091 ± 0.036)°": so wherever a value stands with its σ.
     pub fn text(&self, unit: impl Into<Unit>) -> String {
         let Self { value, sigma, power } = self;
-        let symbol = unit.into().symbol();
-        if power.is_empty() {
-            format!("{value} ± {sigma} {symbol}")
-        } else {
-            format!("({value} ± {sigma}){power} {symbol}")
-        }
+        unit.into().behind(&format!("({value} ± {sigma}){power}"))
     }
 
     /// "1.400" and "m ± 0.016", of which the second is written smaller.
@@ -66,7 +73,7 @@ impl Style {
     pub const WINDOW: Self = Self {
         notation: Notation::SHORT,
         to: "…",
-        open_end: ["…", NO_UPPER_BOUND],
+        open_end: OpenEnd::Infinity,
         has_simulation: true,
         follows_unit: true,
     };
@@ -74,8 +81,8 @@ impl Style {
     /// On the command line.
     pub const TERMINAL: Self = Self {
         notation: Notation::TERMINAL,
-        to: "to",
-        open_end: ["or more,", "without an upper bound"],
+        to: " to ",
+        open_end: OpenEnd::Words("or more, without an upper bound"),
         has_simulation: false,
         follows_unit: true,
     };
@@ -124,7 +131,20 @@ impl Style {
 
     /// A number without σ: "1.400", or "–.–" where there is none.
     pub fn number(self, value: Option<f64>) -> String {
-        value.map_or_else(|| NO_NUMBER.to_owned(), |value| self.notation.significant(value, DIGITS))
+        value.map_or_else(
+            || NO_NUMBER.to_owned(),
+            |value| with_minus(&self.notation.significant(value, DIGITS)),
+        )
+    }
+
+    /// A number as people read it, with at most `digits` digits and no zeros behind the last: "0.1", "14 286".
+    pub fn readable(self, value: f64, digits: usize) -> String {
+        self.notation.readable(value, digits)
+    }
+
+    /// A number to `decimals` places.
+    pub fn to_decimals(self, value: f64, decimals: i32) -> String {
+        with_minus(&self.notation.to_decimals(value, decimals))
     }
 
     /// `length` in `unit` or [the next one](Self::unit_of): "1.400 m", or "–.– m" where there is none.
@@ -163,9 +183,10 @@ impl Style {
         } else {
             (scaled(value), scaled(sigma))
         };
+        let decimals = decimals_beside(value, sigma);
         WithSigma {
-            value: self.notation.to_decimals(value, decimals_beside(value, sigma)),
-            sigma: self.notation.significant(sigma, 2),
+            value: with_minus(&self.notation.to_decimals(value, decimals)),
+            sigma: self.notation.beside(sigma, decimals),
             power: if exponent == 0 { String::new() } else { number::power(exponent) },
         }
     }
@@ -176,7 +197,7 @@ impl Style {
         (self.with_sigma(length.value.in_unit(unit), length.sigma.in_unit(unit)), unit)
     }
 
-    /// A length with its σ where that is above 0: "1.400 ± 0.016 m".
+    /// A length with its σ where that is above 0: "(1.400 ± 0.016) m".
     pub fn measured(self, length: Measured<Length>, unit: LengthUnit) -> String {
         if length.sigma.m() > 0.0 {
             let (written, unit) = self.length_with_sigma(length, unit);
@@ -196,7 +217,7 @@ impl Style {
         }
     }
 
-    /// The distance of `method` with its σ where that is known: "1.400 ± 0.016 m".
+    /// The distance of `method` with its σ where that is known: "(1.400 ± 0.016) m".
     pub fn distance(self, solution: &Solution, method: Method, unit: LengthUnit) -> String {
         match solution.outcome(method).distance() {
             Some(distance) => {
@@ -207,13 +228,13 @@ impl Style {
         }
     }
 
-    /// From `near` to `far`, if it ends at all: "1.373 … 1.429 m".
+    /// From `near` to `far`, if it ends at all: "1.373…1.429 m".
     pub fn range(self, near: Length, far: Option<Length>, unit: LengthUnit) -> String {
         let unit = self.unit_of(far.unwrap_or(near), unit);
         self.range_of(near, far, unit, |end| self.notation.significant(end, DIGITS))
     }
 
-    /// The 1 σ interval, to the decimals of σ: "1.384 … 1.416 m".
+    /// The 1 σ interval, to the decimals of σ: "1.384…1.416 m".
     pub fn interval(self, uncertainty: &Uncertainty, unit: LengthUnit) -> String {
         let depth = uncertainty.model.depth();
         let unit = self.unit_of(depth, unit);
@@ -222,15 +243,34 @@ impl Style {
         self.range_of(interval.near, interval.far, unit, |end| self.notation.to_decimals(end, decimals))
     }
 
+    /// Value − σ to value + σ of a length, to the decimals of σ: "49.54…50.46 mm".
+    pub fn ends(self, length: Measured<Length>, unit: LengthUnit) -> String {
+        let unit = self.unit_of(length.value, unit);
+        self.ends_in(
+            Measured::new(length.value.in_unit(unit), length.sigma.in_unit(unit)),
+            Unit::Length(unit),
+        )
+    }
+
+    /// The same of a number of `unit`: "49.54…50.46 px".
+    pub fn ends_in(self, measured: Measured<f64>, unit: Unit) -> String {
+        let decimals = decimals_beside(measured.value, measured.sigma);
+        let [near, far] = measured.ends().map(|end| with_minus(&self.notation.to_decimals(end, decimals)));
+        unit.behind(&format!("{near}{}{far}", self.to))
+    }
+
     fn range_of(self, near: Length, far: Option<Length>, unit: LengthUnit, write: impl Fn(f64) -> String) -> String {
         let end = |length: Length| write(length.in_unit(unit));
         match far {
-            Some(far) => format!("{} {} {} {}", end(near), self.to, end(far), unit.symbol()),
-            None => format!("{} {} {}", end(near), unit.symbol(), self.open_end.join(" ")),
+            Some(far) => format!("{}{}{} {}", end(near), self.to, end(far), unit.symbol()),
+            None => match self.open_end {
+                OpenEnd::Infinity => format!("{}{}∞ {}", end(near), self.to, unit.symbol()),
+                OpenEnd::Words(words) => format!("{} {} {words}", end(near), unit.symbol()),
+            },
         }
     }
 
-    /// What one pixel of disparity more or less makes of the stereo distance: "1.373 … 1.429 m". It stands in for the σ of the
+    /// What one pixel of disparity more or less makes of the stereo distance: "1.373…1.429 m". It stands in for the σ of the
     /// disparity; `None` where there is one.
     pub fn one_pixel_range(self, solution: &Solution, unit: LengthUnit) -> Option<String> {
         // Without a distance that was computed there is nothing that a pixel could change.
@@ -285,12 +325,34 @@ impl Style {
 
     /// A number as it was typed with its unit, "10 cm", or with fewer digits where nobody could read them.
     pub fn typed(self, reading: &Reading) -> String {
-        const LONGEST: usize = 16;
-        if reading.number_text.len() <= LONGEST {
+        if reading.number_text.len() <= LONGEST_TYPED {
             return reading.text();
         }
-        let number = self.notation.plain(reading.number, TYPED_DIGITS);
-        reading.unit.map_or_else(|| number.clone(), |unit| unit.behind(&number))
+        self.behind_typed(reading, &self.typed_number(reading))
+    }
+
+    /// [`typed`](Self::typed) without its unit.
+    pub fn typed_number(self, reading: &Reading) -> String {
+        if reading.number_text.len() <= LONGEST_TYPED {
+            return reading.number_text.clone();
+        }
+        self.notation.plain(reading.number, TYPED_DIGITS)
+    }
+
+    /// [`typed`](Self::typed) with its σ in the unit of the value, where there is one: "(100 ± 0.5) mm", "700 px".
+    pub fn typed_with_sigma(self, reading: &Reading) -> String {
+        match reading.sigma_text() {
+            Some(sigma) => self.behind_typed(reading, &format!("({} ± {sigma})", self.typed_number(reading))),
+            None => self.typed(reading),
+        }
+    }
+
+    fn behind_typed(self, reading: &Reading, number: &str) -> String {
+        match reading.unit {
+            Some(Unit::Square(_)) if !reading.unit_text.is_empty() => format!("{number} {}", reading.unit_text),
+            Some(unit) => unit.behind(number),
+            None => number.to_owned(),
+        }
     }
 }
 

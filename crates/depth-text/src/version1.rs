@@ -44,12 +44,15 @@ impl From<StoredInputs> for Inputs {
             entries.entry_mut(field).sigma = sigma;
         }
         entries.entry_mut(fields::DISTANCE).sigma = stored.distance_sigma;
-        Self {
+        let mut inputs = Self {
             entries,
-            with_uncertainty: stored.with_uncertainty,
             unknown: stored.unknown,
             ..Self::default()
+        };
+        if !stored.with_uncertainty {
+            inputs.drop_hidden_sigmas();
         }
+        inputs
     }
 }
 

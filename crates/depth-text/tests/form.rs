@@ -132,10 +132,7 @@ fn what_is_solved_for_is_not_missing() {
 }
 
 fn typed(texts: &[(Key, &str)]) -> Inputs {
-    let mut inputs = Inputs {
-        with_uncertainty: true,
-        ..Inputs::default()
-    };
+    let mut inputs = Inputs::default();
     for &(key, text) in texts {
         let (value, sigma) = text.split_once('±').unwrap_or((text, ""));
         let entry = inputs.entry_mut(key);
@@ -342,7 +339,7 @@ fn a_sigma_behind_the_value_counts_and_moves_into_its_field() {
         for is_tidied in [false, true] {
             if is_tidied {
                 inputs.tidy(field);
-                assert!(inputs.with_uncertainty && !inputs.entry(field).text.contains('±'), "{text}");
+                assert!(!inputs.entry(field).text.contains('±'), "{text}");
             }
             let problem = inputs.assess().solution.problem;
             assert!((problem.get(field).unwrap() / value - 1.0).abs() < 1e-12, "{text}");
@@ -352,7 +349,6 @@ fn a_sigma_behind_the_value_counts_and_moves_into_its_field() {
     let typing = with(Field::Disparity, "50 ±").assess();
     assert_eq!((typing.solution.problem.get(Field::Disparity), typing.notes.len()), (Some(50.0), 0));
     let mut twice = with(Field::Disparity, "50 ± 0.5");
-    twice.with_uncertainty = true;
     twice.set_sigma(Field::Disparity, "1");
     twice.tidy(Field::Disparity);
     // What was typed last.

@@ -25,7 +25,6 @@ fn a_keystroke_has_its_answer_within_a_millisecond() {
         inputs.entry_mut(key).text = key.example().to_owned();
         inputs.set_sigma(key, "1 %");
     }
-    inputs.with_uncertainty = true;
     let time = shortest(300, || {
         black_box(black_box(&inputs).assess());
     });

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use egui::Role;
 use egui::accesskit::{Affine, Node, NodeId, Rect};
 
-use crate::element::{Element, InputMode, Place, element_id};
+use crate::element::{Element, InputMode, Lettering, Place, element_id};
 use crate::page::{Nodes, Page};
 use crate::roles::{self, Kind, Within};
 
@@ -64,6 +64,9 @@ impl Page {
     }
 }
 
+/// In CSS pixels: two lines of the smallest type are higher than this, and one of the largest is not.
+const LINES_MIN_HEIGHT: f64 = 30.0;
+
 struct Writer<'a> {
     nodes: &'a Nodes,
     input_mode: InputMode,
@@ -116,6 +119,9 @@ impl Writer<'_> {
         let rect = self.rects.get(&id).copied().unwrap_or(Rect::ZERO);
         let mut element = Element::new(id, node, shape, within, self.input_mode);
         element.place = place(rect, parent);
+        if element.text.is_some() {
+            element.lettering = self.lettering(node, rounded(rect));
+        }
         self.page.push(element);
         siblings.push(id);
 
@@ -133,6 +139,30 @@ impl Writer<'_> {
             siblings.extend(self.children(id, parent, Within::Page));
             self.link_popup(id, before);
         }
+    }
+
+    /// How the text of `node`, which lies in `rect`, is painted: egui describes each line by a run of text. Where there is none, a heading
+    /// or label that is too low for two lines is as large as its text.
+    fn lettering(&self, node: &Node, rect: Rect) -> Option<Lettering> {
+        let is_run = |id: &&NodeId| self.nodes.get(*id).is_some_and(|node| node.role() == Role::TextRun);
+        let runs = || node.children().iter().filter(is_run).filter_map(|id| self.rects.get(id));
+        let Some(first) = runs().next() else {
+            let is_line = matches!(node.role(), Role::Heading | Role::Label) && rect.height() < LINES_MIN_HEIGHT;
+            return is_line.then_some(Lettering {
+                left: 0.0,
+                top: 0.0,
+                width: rect.width(),
+                line: rect.height(),
+                lines: 1,
+            });
+        };
+        Some(Lettering {
+            left: (first.x0 - rect.x0).round() + 0.0,
+            top: (first.y0 - rect.y0).round() + 0.0,
+            width: runs().map(Rect::width).sum::<f64>().round(),
+            line: first.height().round(),
+            lines: runs().count(),
+        })
     }
 
     /// Tells a control about the list, menu or dialog that it has opened: the first of the elements from `first_below` on.

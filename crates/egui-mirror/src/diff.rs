@@ -2,7 +2,7 @@
 
 use egui::accesskit::{NodeId, Toggled};
 
-use crate::element::Place;
+use crate::element::{Lettering, Place};
 use crate::page::Page;
 
 /// One step, to be carried out in order.
@@ -22,6 +22,8 @@ pub(crate) enum Edit {
     Checked(NodeId, Toggled),
     /// Move the element.
     Place(NodeId, Place),
+    /// Lay the text of the element over the painted text, or where the browser lays it.
+    Lettering(NodeId, Option<Lettering>),
     /// Put these elements, in this order, into the element, or into the page itself.
     Children(Option<NodeId>, Vec<NodeId>),
 }
@@ -66,6 +68,13 @@ pub(crate) fn diff(old: &Page, new: &Page) -> Vec<Edit> {
         }
         if before.map(|before| before.place) != Some(element.place) {
             edits.push(Edit::Place(id, element.place));
+        }
+        // Another text has another width in the font of the browser.
+        let is_lettered = before.map_or(element.lettering.is_none(), |before| {
+            before.lettering == element.lettering && (element.lettering.is_none() || before.text == element.text)
+        });
+        if !is_lettered {
+            edits.push(Edit::Lettering(id, element.lettering));
         }
         let was = before.map_or(&[][..], |before| &before.children);
         if was != element.children || remade(old, new, was) {

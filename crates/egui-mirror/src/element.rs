@@ -25,6 +25,21 @@ pub struct Place {
     pub height: f64,
 }
 
+/// How the text of an element is painted, in CSS pixels relative to the element.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Lettering {
+    /// Where the first line begins.
+    pub left: f64,
+    /// Where the first line begins.
+    pub top: f64,
+    /// The width of all lines together.
+    pub width: f64,
+    /// The height of a line.
+    pub line: f64,
+    /// The number of lines.
+    pub lines: usize,
+}
+
 /// What the application lets a person do with an element.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Allowed {
@@ -63,6 +78,8 @@ pub struct Element {
     pub checked: Option<Toggled>,
     /// Where it lies.
     pub place: Place,
+    /// How its text is painted, where that is known.
+    pub lettering: Option<Lettering>,
     /// How urgently the application wants it to be read aloud when it appears or changes.
     pub live: Option<Live>,
     /// The elements inside it, in reading order.
@@ -102,6 +119,7 @@ impl Element {
             value: content(node, shape.kind),
             checked: (shape.kind == Kind::Check).then(|| node.toggled().unwrap_or(Toggled::False)),
             place: Place::default(),
+            lettering: None,
             live: node.live(),
             children: Vec::new(),
         }
@@ -167,11 +185,16 @@ fn tab_index(kind: Kind, allowed: Allowed, disabled: bool) -> Option<&'static st
 
 /// What a browser has to know of a field that text is typed into.
 fn describe_typing(attributes: &mut Attributes, node: &Node, input_mode: InputMode) {
-    let mode = input_mode(node).or_else(|| roles::input_mode(node.role()));
+    let mode = input_mode(node).or_else(|| roles::input_mode(node));
     attributes.set("inputmode", mode);
     attributes.set("placeholder", node.placeholder().filter(|hint| !hint.is_empty()));
     attributes.set("autocomplete", Some("off"));
     attributes.set("spellcheck", Some("false"));
+    if matches!(node.role(), Role::NumberInput | Role::SpinButton) {
+        // The unit behind a number is neither a name nor a word.
+        attributes.set("autocapitalize", Some("off"));
+        attributes.set("autocorrect", Some("off"));
+    }
     if node.is_disabled() || node.is_read_only() {
         attributes.set("readonly", Some(""));
     }

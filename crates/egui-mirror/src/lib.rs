@@ -30,7 +30,7 @@ mod tests;
 mod web;
 
 pub use describe::Tree;
-pub use element::{Allowed, Element, InputMode, Place, element_id};
+pub use element::{Allowed, Element, InputMode, Lettering, Place, element_id};
 pub use page::{Nodes, Page};
 pub use roles::Kind;
 #[cfg(target_arch = "wasm32")]

@@ -281,9 +281,15 @@ fn heading(level: Option<usize>) -> &'static str {
 }
 
 /// The on-screen keyboard that suits a text field: a value of HTML's `inputmode`.
-pub(crate) fn input_mode(role: Role) -> Option<&'static str> {
-    match role {
-        Role::NumberInput | Role::SpinButton => Some("decimal"),
+///
+/// Not the number keyboard for a number that may be negative or stand with a unit: on an iPhone it has neither a minus nor letters. A
+/// field says that it takes neither by a least value that is not negative.
+pub(crate) fn input_mode(node: &Node) -> Option<&'static str> {
+    match node.role() {
+        Role::NumberInput | Role::SpinButton => {
+            let is_bare = node.min_numeric_value().is_some_and(|least| least >= 0.0);
+            Some(if is_bare { "decimal" } else { "text" })
+        }
         Role::EmailInput => Some("email"),
         Role::PhoneNumberInput => Some("tel"),
         Role::UrlInput => Some("url"),

@@ -1,67 +1,57 @@
-//! The cards of the results: which there are, and their titles.
+//! The cards: which there are, and their titles.
 
 use crate::core::problem::Method;
-use depth_text::field::{Key, Section};
-use depth_text::names::Named as _;
 
-/// A card of the results. It is also the source of the card's egui id, so that neither layout nor language changes that.
+/// A card. It is also the source of the card's egui id, so that neither layout nor language changes that.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Card {
-    /// The quantity that was solved for, where it is not the distance.
-    Solved(Key),
-    /// No method has a distance yet.
-    NoResult,
-    /// The distance by one method, or why there is none.
-    Distance(Method),
-    /// The distances of both methods, combined.
-    Combined,
-    /// The share of each input in the variance of a distance.
-    Budget(Method),
+    /// What the letters mean, while nothing is known.
+    Letters,
+    /// The example that stands in the empty form.
+    Example,
+    /// Where the uncertainty comes from.
+    Budget,
+    /// What else is to be said about the answers.
+    Remarks,
+    /// How a way to a distance works, and what it is good for.
+    How,
     /// The simulated distribution of a distance.
     Simulation(Method),
-    /// The point in space, and its range.
-    Range,
-    /// A tilted target.
-    Tilt,
-    /// The ground plane.
-    Ground,
-    /// Two photographs and a step.
-    TwoShots,
-    /// Two points.
-    TwoPoints,
-    /// Both distances as bars.
+    /// Both distances on one axis.
     Bars,
+    /// What of an answer's uncertainty goes where one input is exact.
+    Gains,
     /// Distance against disparity.
     Curve,
-    /// The estimated widths, and the distances.
-    Intermediate,
+    /// Disparity against distance.
+    InverseCurve,
     /// The scene from above.
     TopView,
+    /// The camera, the ray and the floor from the side, and the point in the image.
+    SideView,
+    /// The floor from above.
+    Floor,
     /// The table of inputs and outputs.
     Table,
 }
 
 impl Card {
     /// Its title, which is also its accessible name.
-    pub fn title(self) -> &'static str {
+    pub const fn title(self) -> &'static str {
         match self {
-            Self::Solved(key) => key.name,
-            Self::NoResult => "Result",
-            Self::Distance(method) => method.name(),
-            Self::Combined => "Combined",
-            Self::Budget(Method::Stereo) => "What makes stereo uncertain",
-            Self::Budget(Method::Monocular) => "What makes monocular uncertain",
+            Self::Letters => "What the letters mean",
+            Self::Example => "Example in gray",
+            Self::Budget => "Where the uncertainty comes from",
+            Self::Remarks => "Remarks",
+            Self::How => "How it works",
             Self::Simulation(Method::Stereo) => "Stereo, simulated",
             Self::Simulation(Method::Monocular) => "Monocular, simulated",
-            Self::Range => "Depth or range",
-            Self::Tilt => "Tilted target",
-            Self::Ground => "Ground plane, a third method",
-            Self::TwoShots => Section::TwoShots.name(),
-            Self::TwoPoints => Section::TwoPoints.name(),
             Self::Bars => "Stereo against monocular",
+            Self::Gains => "What it gains to know one exactly",
             Self::Curve => "Distance against disparity",
-            Self::Intermediate => "Intermediate values",
-            Self::TopView => "Top view, to scale",
+            Self::InverseCurve => "Disparity against distance",
+            Self::TopView | Self::Floor => "Top view",
+            Self::SideView => "Side view",
             Self::Table => "Key input parameters and outputs",
         }
     }

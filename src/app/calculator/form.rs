@@ -1,41 +1,113 @@
-//! The form: the fields, the buttons, the examples, and links to optional parts.
+//! The form: what is asked for, the fields of that, the buttons, and what refines a distance.
 
-use super::unknown;
+use super::parts::{Part, field_ui, heading_ui, part_ui, sigma_heading_ui};
+use super::{footer, unknown};
 use crate::app::command::{Command, Helper};
 use crate::app::context::AppContext;
-use crate::app::copyable::Copyable;
-use crate::app::sentences::NoticeText;
 use crate::app::theme;
-use crate::app::widgets::field::{self, Field};
-use crate::app::widgets::{choice, text};
+use crate::app::widgets::field;
+use crate::app::widgets::segments::{self, Segments};
+use crate::app::widgets::{choice, menu};
 use crate::core::setup::{Object, Pair};
-use depth_text::choices::MATCHING_ERRORS;
-use depth_text::entry::Entry;
 use depth_text::field::{Key, Section};
 use depth_text::fields;
-use depth_text::form::Example;
-use depth_text::number::plain;
-use depth_text::reading;
+use depth_text::report::strip::Mode;
 use egui::accesskit::Role;
-use egui::{Button, ComboBox, Rect, RichText, Stroke, Ui, UiBuilder, vec2};
+use egui::{Popup, Rect, Sense, Ui, UiBuilder, vec2};
 
-/// Draws the form. With `marked`, what is missing is said at the fields too.
-pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
+/// Draws the form. With `marked`, what is missing is said at the fields too. Returns the place of the refinements, where they are shown.
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) -> Option<Rect> {
     let builder = UiBuilder::new().accessibility_role(Role::Form).accessibility_label("Inputs");
-    ui.scope_builder(builder, |ui| {
-        theme::card(theme::palette(ui)).show(ui, |ui| {
-            ui.set_width(ui.available_width());
-            ui.spacing_mut().item_spacing.y = theme::STEP;
-            unknown::ui(ui, cx, marked);
-            fields_ui(ui, cx, marked);
-            part_ui(ui, Part::Buttons, |ui| {
-                buttons_ui(ui, cx);
-                ui.add_space(theme::STEP);
-                examples_ui(ui, cx);
-                more_ui(ui, cx);
-            });
-        });
+    let form = |ui: &mut Ui| {
+        ui.set_width(ui.available_width());
+        ui.spacing_mut().item_spacing.y = 0.0;
+        let mode = cx.mode();
+        mode_ui(ui, cx, mode);
+        ui.add_space(theme::BELOW_MODES);
+        match mode {
+            Mode::Distance => distance_ui(ui, cx, marked),
+            Mode::Quantity => unknown::ui(ui, cx, marked),
+            Mode::Ground | Mode::TwoShots | Mode::TwoPoints => groups_ui(ui, cx, groups(mode)),
+        }
+        part_ui(ui, Part::Buttons, |ui| footer::ui(ui, cx, mode));
+        let is_refined = cx.settings.shows_refinements && matches!(mode, Mode::Distance | Mode::Quantity);
+        is_refined.then(|| part_ui(ui, Part::Refinements, |ui| refinements_ui(ui, cx)))
+    };
+    ui.scope_builder(builder, |ui| theme::card(theme::palette(ui)).show(ui, form).inner)
+        .inner
+}
+
+/// What is asked for: one of three in sight, or one of the menu.
+fn mode_ui(ui: &mut Ui, cx: &mut AppContext<'_>, mode: Mode) {
+    let (whole, _) = ui.allocate_exact_size(vec2(ui.available_width(), field::height(ui)), Sense::hover());
+    let names = Mode::FIRST.map(Mode::name);
+    let chosen = Mode::FIRST.iter().position(|&one| one == mode);
+    let more = match chosen {
+        _ if whole.width() < theme::PAIR_WIDTH => "More",
+        Some(_) => "More ways",
+        None => mode.short_name(),
+    };
+    let all = Segments {
+        group: "What is asked for",
+        names: &[names[0], names[1], names[2], more],
+        chosen,
+    };
+    let arrow = theme::ARROW_WIDTH + 2.0 * theme::STEP;
+    let mut widths = all.widths(ui, whole.width() - arrow);
+    if let Some(last) = widths.last_mut() {
+        *last += arrow;
+    }
+    let cells = segments::row(whole, &widths);
+    let first = Segments { names: &names, ..all };
+    let now = first.ui(ui, cells.get(..3).unwrap_or_default());
+    if let Some(&asked) = now.and_then(|now| Mode::FIRST.get(now)) {
+        cx.commands.push(Command::Ask(asked));
+    }
+    if let Some(&cell) = cells.last() {
+        more_ui(ui, cx, (cell, more), mode);
+    }
+    segments::border_ui(ui, whole, &cells);
+}
+
+/// The menu with the other ways.
+fn more_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (cell, name): (Rect, &str), mode: Mode) {
+    let palette = theme::palette(ui);
+    let response = ui.interact(cell, ui.scope_id().with("more ways"), Sense::click());
+    let is_chosen = Mode::MORE.contains(&mode);
+    segments::segment_ui(
+        ui,
+        cell.with_max_x(cell.right() - theme::ARROW_WIDTH - theme::STEP),
+        name,
+        is_chosen,
+        false,
+    );
+    let arrow = Rect::from_center_size(cell.right_center() - vec2(theme::ARROW_INSET, 0.0), theme::ARROW);
+    ui.painter().add(egui::Shape::convex_polygon(
+        vec![arrow.left_top(), arrow.right_top(), arrow.center_bottom()],
+        palette.text,
+        egui::Stroke::NONE,
+    ));
+    let is_open = Popup::is_id_open(ui.ctx(), Popup::default_response_id(&response));
+    let label = if is_chosen {
+        format!("More ways: {}", mode.name())
+    } else {
+        "More ways".to_owned()
+    };
+    response.widget_info(|| egui::WidgetInfo::labeled(Role::Button, true, &label));
+    ui.accesskit_node_builder(response.id, |node| {
+        node.set_has_popup(egui::accesskit::HasPopup::Menu);
+        node.set_expanded(is_open);
     });
+    Popup::menu(&response).show(|ui| {
+        menu::style(ui);
+        ui.spacing_mut().interact_size.y = cx.layout.control_height();
+        for asked in Mode::MORE {
+            if menu::item_ui(ui, asked.name(), true) {
+                cx.commands.push(Command::Ask(asked));
+            }
+        }
+    });
+    response.on_hover_cursor(egui::CursorIcon::PointingHand);
 }
 
 /// What a person needs who does not type five numbers in a row: drawn, and so in the order of the focus, behind the fields, each in the
@@ -46,28 +118,25 @@ enum Late {
     Helper(Helper),
 }
 
-fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
+fn distance_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
     let mut late = Vec::new();
     for section in Section::FORM {
         part_ui(ui, Part::Section(section), |ui| {
-            late.push((Late::Setup(section), heading_ui(ui, cx, section)));
-            let mut space = theme::FIRST_FIELD_SPACE;
+            late.push((Late::Setup(section), heading_ui(ui, section.name(), Some(section))));
             for key in section.keys() {
                 // Most rigs have no doffs, so the field is hidden until there is one. fy belongs to a point in space, too.
-                let is_of_point = key == fields::FY && cx.settings.shows_geometry;
-                if !cx.session.inputs.shows(key) && !is_of_point {
+                if !cx.session.inputs.shows(key) {
                     continue;
                 }
-                ui.add_space(space);
                 part_ui(ui, Part::Field(key.as_str()), |ui| {
                     let line = field_ui(ui, cx, key, marked);
                     let helper = key.input.and_then(Helper::at).filter(|helper| helper.comes_last());
                     late.extend(helper.map(|helper| (Late::Helper(helper), line)));
                 });
-                space = theme::STEP;
+                ui.add_space(theme::FIELD_GAP);
             }
         });
-        ui.add_space(2.0 * theme::STEP);
+        ui.add_space(theme::ABOVE_HEADING - theme::FIELD_GAP);
     }
     part_ui(ui, Part::Late, |ui| {
         for (what, line) in late {
@@ -79,192 +148,99 @@ fn fields_ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
     });
 }
 
-/// The heading of a section. Returns what is left of its line.
-fn heading_ui(ui: &mut Ui, cx: &AppContext<'_>, section: Section) -> Rect {
-    let has_choice = matches!(section, Section::Stereo | Section::Monocular);
-    let is_for_fingers = cx.layout.control_height() >= theme::CONTROL_HEIGHT_TOUCH;
-    let height = if has_choice && is_for_fingers {
-        theme::CONTROL_HEIGHT_TOUCH
-    } else {
-        theme::HEADING_HEIGHT
-    };
-    let line = vec2(ui.available_width(), height);
-    let layout = egui::Layout::left_to_right(egui::Align::Center);
-    let response = ui.allocate_ui_with_layout(line, layout, |ui| {
-        ui.set_min_height(height);
-        text::card_heading_ui(ui, section.name());
-        ui.available_rect_before_wrap()
-    });
-    response.inner.shrink2(vec2(theme::STEP, 0.0))
-}
-
 /// What is chosen in a section, how the cameras stand or what of the object is measured, in the `line` of its heading.
 fn setup_ui(ui: &mut Ui, cx: &mut AppContext<'_>, section: Section, line: Rect) {
     let inputs = &mut cx.session.inputs;
     let changed = match section {
         Section::Stereo => choice::ui(ui, line, "Cameras", &Pair::ALL, &mut inputs.pair),
         Section::Monocular => choice::ui(ui, line, "Measured", &Object::ALL, &mut inputs.object),
-        _ => false,
+        _ => {
+            sigma_heading_ui(ui, line, false);
+            false
+        }
     };
     if changed {
         cx.commands.push(Command::Settle);
     }
 }
 
-/// Draws a field. Returns the line of its label.
-fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, key: Key, marked: bool) -> Rect {
-    let helper = key.input.and_then(Helper::at);
-    let unit = cx.unit();
-    let (inputs, assessment) = cx.session.parts();
-    if let Some(unknown) = assessment.unknown.as_ref().filter(|unknown| key == unknown.field) {
-        let line = ui.available_rect_before_wrap();
-        let label = field::label_ui(ui, inputs.worded(key), helper, cx.commands);
-        unknown::solution_ui(ui, unknown, unit);
-        return line.with_max_y(label.rect.bottom());
+/// Fields that belong together: their heading, and their keys.
+type Group = (&'static str, &'static [Key]);
+
+/// The fields of the ways that have a form of their own.
+const fn groups(mode: Mode) -> &'static [Group] {
+    match mode {
+        Mode::Ground => &[
+            ("Camera", &[fields::FOCAL_LENGTH, fields::FY, fields::CX, fields::CY]),
+            ("Where it stands", &[fields::CAMERA_HEIGHT, fields::CAMERA_PITCH]),
+            (
+                "Point in the image",
+                &[fields::FLOOR_COLUMN, fields::FLOOR_ROW, fields::TARGET_HEIGHT, fields::FLOOR_ANGLE],
+            ),
+        ],
+        Mode::TwoShots => &[("The same object, twice", &[fields::FAR_WIDTH, fields::NEAR_WIDTH, fields::STEP])],
+        Mode::TwoPoints => &[
+            ("Cameras", &[fields::FOCAL_LENGTH, fields::BASELINE, fields::CX, fields::CY]),
+            ("First point", &[fields::FROM_COLUMN, fields::FROM_ROW, fields::FROM_DISPARITY]),
+            ("Second point", &[fields::TO_COLUMN, fields::TO_ROW, fields::TO_DISPARITY]),
+        ],
+        Mode::Distance | Mode::Quantity => &[
+            (
+                "Where the object stands in the image",
+                &[fields::CX, fields::CY, fields::PIXEL_COLUMN, fields::PIXEL_ROW, fields::FY],
+            ),
+            ("What a tape measures", &[fields::TAPED_RANGE, fields::ZERO]),
+            ("How it is turned", &[fields::TILT]),
+        ],
     }
-    let missing = assessment.missing.iter().find(|note| marked && note.key == key);
-    let value_note = assessment.note(key).or(missing);
-    let before = inputs.entry(key).clone();
-    let field = Field {
-        key: inputs.worded(key),
-        reading: assessment.reading(key),
-        notes: value_note.into_iter().chain(assessment.sigma_note(key)).collect(),
-        with_sigma: inputs.with_uncertainty,
-        helper,
-        id: field::id(key),
-        submits: true,
-        entry: inputs.entry_mut(key),
-    };
-    let line = field.ui(ui, cx.commands);
-    // One that was typed behind the value is shown in its own field.
-    inputs.with_uncertainty |= inputs.sigma(key) != before.sigma;
-    let value = |entry: &Entry| Some(reading::read(key, entry).ok()??.value);
-    let now = inputs.entry(key);
-    // Not where only a space or a σ was added, nor while it cannot be read.
-    if now.text != before.text && value(now).is_some() && value(now) != value(&before) {
-        inputs.edited(key);
-    }
-    if key == fields::DISPARITY && inputs.with_uncertainty {
-        typical_errors_ui(ui, &mut inputs.entry_mut(key).sigma, cx.commands);
-    }
-    line
 }
 
-/// A choice among the matching errors that people state.
-fn typical_errors_ui(ui: &mut Ui, sigma: &mut String, commands: &mut Vec<Command>) {
-    ComboBox::from_id_salt("typical matching errors")
-        .width(ui.available_width())
-        .selected_text("Typical matching errors…")
-        .show_ui(ui, |ui| {
-            for (sigma_px, source) in MATCHING_ERRORS {
-                let typical = plain(sigma_px);
-                let choice = format!("± {typical} px: {source}");
-                if ui.selectable_label(*sigma == typical, choice).clicked() {
-                    *sigma = typical;
-                    commands.push(Command::Settle);
-                    ui.close();
-                }
+/// Draws groups of fields, two side by side.
+fn groups_ui(ui: &mut Ui, cx: &mut AppContext<'_>, groups: &[Group]) {
+    for (index, (name, keys)) in groups.iter().enumerate() {
+        if index > 0 {
+            ui.add_space(theme::ABOVE_HEADING - theme::FIELD_GAP);
+        }
+        let line = heading_ui(ui, name, None);
+        let columns = if ui.available_width() >= theme::PAIR_WIDTH { 2 } else { 1 };
+        if index == 0 {
+            sigma_heading_ui(ui, line, columns == 2);
+        }
+        if columns == 1 {
+            for &key in *keys {
+                part_ui(ui, Part::Field(key.as_str()), |ui| field_ui(ui, cx, key, false));
+                ui.add_space(theme::FIELD_GAP);
             }
-        })
-        .response
-        .accessible_name("Typical matching errors");
-}
-
-/// A part of the form.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum Part {
-    Section(Section),
-    /// A field, by its key.
-    Field(&'static str),
-    Late,
-    Buttons,
-}
-
-/// Draws a part of the form in a scope with an id of its own. Otherwise an error that appears would change the ids of all widgets
-/// after it, and with them the nodes that a screen reader knows.
-fn part_ui(ui: &mut Ui, part: Part, add_contents: impl FnOnce(&mut Ui)) {
-    let builder = UiBuilder::new().scope_id(egui::Id::unique(("part of the form", part)));
-    ui.scope_builder(builder, add_contents);
-}
-
-fn buttons_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
-    let height = cx.layout.control_height();
-    let palette = theme::palette(ui);
-    let calculate = Button::new(
-        RichText::new(Command::Calculate.text())
-            .font(theme::strong(theme::BODY_SIZE))
-            .color(palette.on_blue),
-    )
-    .fill(palette.blue)
-    .stroke(Stroke::new(theme::THIN_LINE, palette.blue));
-    if ui.add_sized(vec2(ui.available_width(), height), calculate).clicked() {
-        cx.commands.push(Command::Calculate);
+            continue;
+        }
+        for pair in keys.chunks(2) {
+            pair_ui(ui, cx, pair);
+            ui.add_space(theme::FIELD_GAP);
+        }
     }
-    ui.add_space(theme::STEP);
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 2.0 * theme::STEP;
-        let width = (ui.available_width() - 2.0 * theme::STEP) / 2.0;
-        for command in [Command::Reset, Command::Copy(Copyable::Results)] {
-            let button = ui.add_sized(vec2(width, height), Button::new(command.text()));
-            if let Command::Copy(what) = command {
-                ui.accesskit_node_builder(button.id, |node| node.set_author_id(what.author_id()));
-            }
-            if button.clicked() {
-                cx.commands.push(command);
-            }
+    ui.add_space(theme::ABOVE_HEADING - theme::FIELD_GAP);
+}
+
+/// Draws two fields side by side.
+fn pair_ui(ui: &mut Ui, cx: &mut AppContext<'_>, pair: &[Key]) {
+    let gap = 2.0 * theme::STEP;
+    let width = ((ui.available_width() - gap) / 2.0).floor();
+    ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing.x = gap;
+        for &key in pair {
+            let layout = egui::Layout::top_down(egui::Align::Min);
+            ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {
+                ui.set_width(width);
+                part_ui(ui, Part::Field(key.as_str()), |ui| field_ui(ui, cx, key, false));
+            });
         }
     });
 }
 
-fn examples_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
-    ui.horizontal_wrapped(|ui| {
-        text::caption_ui(ui, "Examples:");
-        for example in Example::ALL {
-            if text::link_button_ui(ui, example.name(), cx.layout).clicked() {
-                cx.commands
-                    .push(Command::Open(Box::new(example.inputs()), NoticeText::FilledByExample));
-            }
-        }
-    });
-}
-
-/// Links that show or hide the optional parts.
-fn more_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
-    let inputs = &mut cx.session.inputs;
-    ui.horizontal_wrapped(|ui| {
-        text::caption_ui(ui, "More:");
-        let name = if inputs.with_uncertainty {
-            "Hide uncertainty"
-        } else {
-            "Add uncertainty"
-        };
-        if text::link_button_ui(ui, name, cx.layout).clicked() {
-            inputs.with_uncertainty = !inputs.with_uncertainty;
-            cx.commands.push(Command::Settle);
-        }
-        if inputs.unknown.is_none() && text::link_button_ui(ui, "Solve for another quantity", cx.layout).clicked() {
-            inputs.unknown = Some(unknown::FIRST);
-            cx.commands.push(Command::Settle);
-        }
-        let geometry = Command::ShowGeometry(!cx.settings.shows_geometry);
-        let is_filled = !cx.settings.shows_geometry && inputs.has_geometry();
-        let name = if is_filled {
-            // What is hidden counts all the same.
-            format!("{} (filled in)", geometry.text())
-        } else {
-            geometry.text().to_owned()
-        };
-        if text::link_button_ui(ui, &name, cx.layout).clicked() {
-            cx.commands.push(geometry);
-        }
-        let two = Command::ShowTwo(!cx.settings.shows_two);
-        let name = if !cx.settings.shows_two && inputs.has_two() {
-            format!("{} (filled in)", two.text())
-        } else {
-            two.text().to_owned()
-        };
-        if text::link_button_ui(ui, &name, cx.layout).clicked() {
-            cx.commands.push(two);
-        }
-    });
+/// Draws what refines a distance. Returns its place.
+fn refinements_ui(ui: &mut Ui, cx: &mut AppContext<'_>) -> Rect {
+    let top = ui.cursor().min;
+    ui.add_space(theme::BELOW_MODES);
+    groups_ui(ui, cx, groups(Mode::Distance));
+    Rect::from_min_max(top, ui.min_rect().max)
 }

@@ -1,52 +1,59 @@
-//! The calculator: the form, and everything that follows from it.
+//! The calculator: the form, the answer, and the pictures of it.
 
-mod bars;
+mod answer;
+mod bar;
+mod budget;
 mod card;
-mod curve;
+mod footer;
 mod form;
-mod geometry;
 mod helpers;
-mod results;
+mod parts;
+mod pictures;
+mod remarks;
+mod simulated;
 mod simulations;
+mod start;
+mod strip;
 mod table;
-mod top_view;
-mod uncertainty;
 mod unknown;
 
-pub use results::bar_ui as result_bar_ui;
+pub use bar::ui as result_bar_ui;
+pub use card::Card;
+pub use unknown::FIRST as FIRST_UNKNOWN;
 
 use super::command::Helper;
 use super::context::AppContext;
 use super::saved::{Settings, Ways};
 use super::session::Session;
-use super::theme::Layout;
-use super::widgets::cards::{self, Row};
-use super::widgets::{field, scroll, text};
-use crate::core::problem::Method;
-use crate::core::quantity::{Length, LengthUnit};
-use card::Card;
-use depth_text::assess::Assessment;
-use depth_text::field::Section;
+use super::theme::{self, Layout};
+use super::widgets::{field, scroll};
+use crate::core::problem::{Field, Method};
+use crate::core::quantity::Length;
+use depth_text::field::{Key, Section};
 use depth_text::note::Severity;
-use depth_text::report;
-use depth_text::sentences::Statement;
-use egui::{Align, Pos2, Rect, Ui, UiBuilder};
+use depth_text::report::strip::Mode;
+use egui::{Align, Pos2, Rect, Ui, UiBuilder, pos2};
 
 /// State of the screen between frames, beside the inputs.
 #[derive(Debug, Default)]
 pub struct Calculator {
     /// *Calculate Distance* was pressed: missing inputs are marked until something is typed.
     pub marked: bool,
+    /// The quantity that was solved for last.
+    pub asked_before: Option<(Method, Field)>,
     /// The helper that is open.
     pub helper: Option<Helper>,
     /// The result of the open helper.
     solved: helpers::Solved,
+    /// Whether the results are to be scrolled into view.
     reveal: Reveal,
-    curve: curve::Curve,
+    /// Whether the refinements are, that were just opened.
+    reveal_refinements: Reveal,
+    pictures: pictures::Pictures,
     simulations: simulations::Simulations,
 }
 
-/// Whether the results are to be scrolled into view.
+/// Whether something is to be scrolled into view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Reveal {
     #[default]
@@ -57,8 +64,18 @@ enum Reveal {
     Done,
 }
 
+impl Reveal {
+    /// Scrolls to `rect` if that is wanted.
+    fn scroll(&mut self, ui: &Ui, rect: Rect, align: Option<Align>) {
+        if *self != Self::No {
+            ui.scroll_to_rect(rect, align);
+            *self = Self::Done;
+        }
+    }
+}
+
 impl Calculator {
-    /// Draws the screen: the form beside its results, or on a phone above them.
+    /// Draws the screen: the form beside the answer and its pictures, or on a phone above them.
     pub fn ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>) {
         let gap = cx.layout.gap();
         if cx.layout == Layout::Phone {
@@ -66,33 +83,54 @@ impl Calculator {
                 ui.spacing_mut().item_spacing.y = gap;
                 self.form_ui(ui, cx);
                 self.results_ui(ui, cx);
+                self.details_ui(ui, cx);
             });
         } else {
-            let all = ui.available_rect_before_wrap();
-            let (left, right) = all.split_left_right_at_x(all.left() + cx.layout.form_width());
-            let column = |ui: &mut Ui, rect, id, add_contents: &mut dyn FnMut(&mut Ui)| {
-                let top_down = egui::Layout::top_down(Align::Min);
-                ui.scope_builder(UiBuilder::new().max_rect(rect).layout(top_down), |ui| {
-                    scroll::column_ui(ui, id, |ui| {
-                        ui.spacing_mut().item_spacing.y = gap;
-                        add_contents(ui);
-                    });
-                });
-            };
-            column(ui, left, "form", &mut |ui| self.form_ui(ui, cx));
-            column(ui, right.with_min_x(right.left() + gap), "results", &mut |ui| {
-                self.results_ui(ui, cx)
-            });
+            self.columns_ui(ui, cx, gap);
         }
         if let Some(helper) = self.helper {
             helpers::ui(ui, cx, helper, &self.solved);
         }
     }
 
+    /// The columns beside each other, each scrolling by itself. Their edges are the same on every screen of this width.
+    fn columns_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>, gap: f32) {
+        let all = ui.available_rect_before_wrap();
+        let form_right = all.left() + cx.layout.form_width();
+        let rest = all.right() - form_right - gap;
+        // At the start, too: the first answer moves nothing.
+        let has_last = cx.layout == Layout::Wide && pictures::has_last_column(cx.mode());
+        let last_left = if has_last {
+            form_right + gap + ((rest - gap) * theme::MIDDLE_SHARE).floor() + gap
+        } else {
+            f32::INFINITY
+        };
+        let between = |left: f32, right: f32| Rect::from_min_max(pos2(left, all.top()), pos2(right, all.bottom()));
+        column_ui(ui, between(all.left(), form_right), "form", gap, |ui| {
+            self.form_ui(ui, cx);
+            self.details_ui(ui, cx);
+        });
+        let middle_right = (last_left - gap).min(all.right());
+        column_ui(ui, between(form_right + gap, middle_right), "results", gap, |ui| {
+            self.results_ui(ui, cx)
+        });
+        if has_last {
+            column_ui(ui, between(last_left, all.right()), "details", gap, |ui| {
+                if start::is_shown(cx) {
+                    start::example_ui(ui, cx);
+                } else {
+                    self.pictures.last_column_ui(ui, cx);
+                }
+            });
+        }
+    }
+
     /// Goes on with the simulations, which take longer than a frame.
     pub fn logic(&mut self, cx: &mut AppContext<'_>) {
-        if self.reveal == Reveal::Done {
-            self.reveal = Reveal::No;
+        for reveal in [&mut self.reveal, &mut self.reveal_refinements] {
+            if *reveal == Reveal::Done {
+                *reveal = Reveal::No;
+            }
         }
         if let Some(helper) = self.helper {
             let zero = cx.session.assessment().solution.problem.zero;
@@ -113,15 +151,35 @@ impl Calculator {
         self.marked = true;
         let assessment = session.assessment();
         let errors = assessment.notes.iter().filter(|note| note.severity == Severity::Error);
-        let first = errors.chain(&assessment.missing).map(|note| note.key).min();
+        let missing = assessment
+            .missing
+            .iter()
+            .filter(|_| settings.mode(&session.inputs).is_of_distance());
+        let first = errors.chain(missing).map(|note| note.key).min();
         match first {
-            Some(key) => {
-                settings.shows_geometry |= key.section.is_some_and(Section::is_geometry);
-                settings.shows_two |= key.section.is_some_and(Section::is_of_two);
-                ctx.memory_mut(|memory| memory.request_focus(field::id(key)));
-            }
+            Some(key) => self.go_to(ctx, key, session, settings),
             None => self.reveal_results(ctx),
         }
+    }
+
+    /// Moves the focus to the field `key`, and shows the part of the form that it is in.
+    pub fn go_to(&mut self, ctx: &egui::Context, key: Key, session: &Session, settings: &mut Settings) {
+        if let Some(mode) = key.section.and_then(Mode::of_section)
+            && settings.mode(&session.inputs) != mode
+            && session.inputs.unknown.is_none()
+        {
+            settings.chosen_mode = mode;
+        }
+        if matches!(key.section, Some(Section::Point | Section::Target)) && settings.mode(&session.inputs).is_of_distance() {
+            settings.shows_refinements = true;
+        }
+        ctx.memory_mut(|memory| memory.request_focus(field::id(key)));
+    }
+
+    /// Shows or hides the refinements, and scrolls to them.
+    pub fn show_refinements(&mut self, settings: &mut Settings, shown: bool) {
+        settings.shows_refinements = shown;
+        self.reveal_refinements = if shown { Reveal::Wanted } else { Reveal::No };
     }
 
     /// Opens the helper for the focal length at the way with this key.
@@ -138,88 +196,46 @@ impl Calculator {
 
     /// Draws the form, and brings the results up to date with it.
     fn form_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>) {
-        form::ui(ui, cx, self.marked);
+        if let Some(refinements) = form::ui(ui, cx, self.marked) {
+            self.reveal_refinements.scroll(ui, refinements, None);
+        }
         if cx.session.refresh() {
             // Somebody is typing, and knows that the rest is missing.
             self.marked = false;
         }
     }
 
+    /// The answer and its pictures.
     fn results_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>) {
-        let top = ui.cursor().min;
-        results::ui(ui, cx);
-        self.scroll_to_results(ui, top);
-        uncertainty::ui(ui, cx, &self.simulations);
-        if cx.settings.shows_geometry {
-            geometry::ui(ui, cx);
-        }
-        if cx.settings.shows_two {
-            geometry::of_two_ui(ui, cx);
-        }
-        self.pictures_ui(ui, cx);
-        ui.add_space(cx.layout.gap());
+        let top: Pos2 = ui.cursor().min;
+        strip::ui(ui, cx);
+        self.pictures.ui(ui, cx);
+        let rect = Rect::from_min_max(top, ui.min_rect().max);
+        self.reveal.scroll(ui, rect, Some(Align::Min));
     }
 
-    fn scroll_to_results(&mut self, ui: &Ui, top: Pos2) {
-        if self.reveal != Reveal::No {
-            let rect = Rect::from_min_max(top, ui.min_rect().max);
-            ui.scroll_to_rect(rect, Some(Align::Min));
-            self.reveal = Reveal::Done;
-        }
-    }
-
-    fn pictures_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>) {
-        let (columns, gap) = (cx.layout.columns(), cx.layout.gap());
-        let pictures: &[Card] = match cx.layout {
-            Layout::Wide => &[Card::Bars, Card::Curve, Card::TopView],
-            _ => &[Card::Bars, Card::Curve, Card::Intermediate, Card::TopView],
-        };
-        for row in pictures.chunks(columns) {
-            cards::row_ui(ui, row, gap, |ui, card, row| self.card_ui(ui, cx, card, row));
-        }
-        if cx.layout == Layout::Wide {
-            cards::row_ui(ui, &[Card::Intermediate, Card::Table], gap, |ui, card, row| match card {
-                Card::Table => table::ui(ui, cx.session.assessment(), cx.unit()),
-                card => self.card_ui(ui, cx, card, row),
-            });
-        } else {
-            table::ui(ui, cx.session.assessment(), cx.unit());
-        }
-    }
-
-    fn card_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>, card: Card, row: Row) {
-        let unit = cx.unit();
-        let assessment = cx.session.assessment();
-        let solution = &assessment.solution;
-        cards::card_ui(ui, card, card.title(), |ui| {
-            match card {
-                Card::Bars => bars::ui(ui, solution, unit),
-                Card::Curve => self.curve.ui(ui, solution, unit, cx.commands),
-                Card::TopView => top_view::ui(ui, assessment, unit),
-                _ => intermediate_ui(ui, assessment, unit),
+    /// What stands below the form: the example, or where the uncertainty comes from, and what is left to say.
+    fn details_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>) {
+        if start::is_shown(cx) {
+            // A wide screen has it in its last column.
+            if cx.layout != Layout::Wide {
+                start::example_ui(ui, cx);
             }
-            cards::fill_height_ui(ui, row);
-        });
+            return;
+        }
+        budget::ui(ui, cx);
+        remarks::ui(ui, cx);
+        remarks::how_ui(ui, cx);
+        simulated::ui(ui, cx, &self.simulations);
     }
 }
 
-fn intermediate_ui(ui: &mut Ui, assessment: &Assessment, unit: LengthUnit) {
-    let solution = &assessment.solution;
-    let length = |length| report::length(length, unit);
-    let width_px = solution.estimated_width_px.map_or_else(
-        || depth_text::number::NO_NUMBER.to_owned(),
-        |width| depth_text::number::significant(width.px(), report::DIGITS),
-    );
-    let estimated_width = report::estimated_width_name(solution.problem.object, unit);
-    let of_method = |method| (report::distance_name(method), length(solution.outcome(method).distance()));
-    let combined = solution
-        .combined
-        .map(|combined| (report::COMBINED_DISTANCE, length(Some(combined.value))));
-    let widths = [
-        (report::estimated_width_px_name(solution.problem.object), format!("{width_px} px")),
-        (estimated_width.as_str(), length(solution.estimated_width)),
-    ];
-    let rows: Vec<_> = widths.into_iter().chain(Method::ALL.map(of_method)).chain(combined).collect();
-    table::pairs_ui(ui, Card::Intermediate.title(), &rows);
-    text::caption_ui(ui, Statement::widths(assessment).to_string());
+fn column_ui(ui: &mut Ui, rect: Rect, id: &str, gap: f32, add_contents: impl FnOnce(&mut Ui)) {
+    let top_down = egui::Layout::top_down(Align::Min);
+    ui.scope_builder(UiBuilder::new().max_rect(rect).layout(top_down), |ui| {
+        scroll::column_ui(ui, id, |ui| {
+            ui.spacing_mut().item_spacing.y = gap;
+            add_contents(ui);
+        });
+    });
 }

@@ -123,7 +123,6 @@ mod tests {
         let mut inputs: Inputs = Example::CoffeeMug.inputs();
         inputs.entry_mut(Field::ImageWidth).text = "150".into();
         inputs.entry_mut(Field::RealWidth).text = "0.3".into();
-        inputs.with_uncertainty = true;
         for field in [Field::Disparity, Field::ImageWidth] {
             inputs.set_sigma(field, sigma);
         }

@@ -1,77 +1,293 @@
-//! The rows of inputs and outputs, and pairs of a name and a value.
+//! The rows of inputs and outputs, numbers below each other at their decimal points; and pairs of a name and a value.
 
 use super::card::Card;
-use crate::app::theme;
-use crate::app::widgets::cards;
-use crate::app::widgets::table::{Cell, row_ui, table_ui};
-use crate::core::quantity::LengthUnit;
-use depth_text::assess::Assessment;
-use depth_text::report::{self, Row};
+use crate::app::command::Command;
+use crate::app::context::AppContext;
+use crate::app::theme::{self, Palette};
+use crate::app::widgets::table::{Cell, Placed, placed_row_ui, row_ui, table_ui};
+use crate::app::widgets::{cards, symbols, text};
+use depth_text::field::Key;
+use depth_text::note::Part;
+use depth_text::number;
+use depth_text::report::{Row, Tone};
 use egui::accesskit::Role;
-use egui::text::LayoutJob;
-use egui::{Color32, FontId, Ui};
+use egui::text::{LayoutJob, TextFormat};
+use egui::{Color32, FontId, Rect, Ui, UiBuilder, vec2};
 
-/// The table "Key input parameters and outputs".
-pub fn ui(ui: &mut Ui, assessment: &Assessment, unit_of_results: LengthUnit) {
-    cards::card_ui(ui, Card::Table, Card::Table.title(), |ui| {
-        let narrow = ui.available_width() < theme::NARROW_TABLE_WIDTH;
-        let shares = if narrow { [1.25, 0.8, 0.45, 1.4] } else { [1.25, 0.55, 0.5, 1.7] };
-        let size = if narrow { theme::SMALL_SIZE } else { theme::BODY_SIZE };
-        let palette = theme::palette(ui);
+/// The table "Key input parameters and outputs", in a card `height` high at least.
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, height: f32) {
+    let frame = cards::Frame {
+        title: Card::Table.title(),
+        caption: "",
+        height: None,
+    };
+    let rows = cx.table();
+    let count = rows.len() + rows.iter().filter(|row| row.heading.is_some()).count();
+    let lines = f32::from(u16::try_from(count + 1).unwrap_or(u16::MAX));
+    let pitch = (cards::figure_height(height) / lines).clamp(theme::ROW_HEIGHT, theme::ROW_HEIGHT_MAX);
+    let place = ui.available_rect_before_wrap();
+    frame.ui(ui, Card::Table, |ui| {
+        let notes = cx.session.assessment().notes.iter().filter(|note| note.part == Part::Value);
+        let view = View {
+            wrong: notes.map(|note| (note.key, text::note_color(ui, note.severity))).collect(),
+            palette: theme::palette(ui),
+            is_narrow: ui.available_width() < theme::PAIR_WIDTH,
+            columns: Columns::of(ui, &rows),
+            pitch,
+        };
         table_ui(ui, Card::Table.title(), |ui| {
-            let header = |text, align_right| Cell {
-                text: LayoutJob::simple_singleline(String::from(text), theme::strong(theme::SMALL_SIZE), palette.muted),
-                role: Role::ColumnHeader,
-                align_right,
-            };
-            let headers = vec![
-                header("Parameter", false),
-                header("Value", true),
-                header("Unit", false),
-                header("Description", false),
-            ];
-            row_ui(ui, headers, &shares);
-            for Row {
-                parameter,
-                value,
-                unit,
-                symbol,
-                description,
-            } in report::parameter_rows(assessment, unit_of_results)
-            {
-                let cells = vec![
-                    cell(ui, &parameter, theme::regular(size), Role::RowHeader),
-                    Cell {
-                        align_right: true,
-                        ..cell(ui, &value, theme::strong(size), Role::Cell)
-                    },
-                    cell(ui, if narrow { &symbol } else { &unit }, theme::regular(size), Role::Cell),
-                    cell(ui, &description, theme::regular(size), Role::Cell),
-                ];
-                row_ui(ui, cells, &shares);
+            view.header_ui(ui);
+            for (row, next) in rows.iter().zip(rows.iter().skip(1).map(Some).chain([None])) {
+                if let Some(heading) = row.heading {
+                    view.heading_ui(ui, heading);
+                }
+                view.row_ui(
+                    ui,
+                    row,
+                    next.is_some_and(|next| next.heading.is_some() || next.tone == Tone::Combined),
+                );
             }
         });
     });
+    report_link_ui(ui, cx, place);
+}
+
+/// The link to the report, at the end of the heading of the card at `place`.
+fn report_link_ui(ui: &mut Ui, cx: &mut AppContext<'_>, place: Rect) {
+    let inset = f32::from(theme::CARD_PADDING) + theme::THIN_LINE;
+    let line = Rect::from_min_size(place.min, vec2(place.width() - inset, theme::CARD_HEADING_HEIGHT));
+    let layout = egui::Layout::right_to_left(egui::Align::Center);
+    let builder = UiBuilder::new().id_salt("report").max_rect(line.translate(vec2(0.0, inset)));
+    let mut end = ui.new_child(builder.layout(layout));
+    let report = Command::SaveReport;
+    if text::quiet_link_ui(&mut end, report.text(), theme::LINE_HEIGHT_TOUCH).clicked() {
+        cx.commands.push(report);
+    }
+}
+
+/// Where the columns are, from the left edge.
+struct Columns {
+    /// The decimal points of the values, and of their σ.
+    points: [f32; 2],
+    unit: f32,
+    /// `None` where there is no room: they are tooltips then.
+    description: Option<f32>,
+}
+
+impl Columns {
+    /// The columns for `rows` in the width of `ui`.
+    fn of(ui: &Ui, rows: &[Row]) -> Self {
+        let width = ui.available_width();
+        let widest = |texts: &mut dyn Iterator<Item = &str>| texts.map(|text| width_of(ui, text, true)).fold(0.0, f32::max);
+        let numbers = || rows.iter().map(|row| row.value.as_str()).filter(|value| !is_unusable(value));
+        // Room for what most numbers need, so that a longer one moves nothing; for a very long one the columns give way.
+        let whole = widest(&mut numbers().map(|number| split(number).0)).max(theme::WHOLE_WIDTH);
+        let part = widest(&mut numbers().map(|number| split(number).1)).max(theme::PART_WIDTH);
+        let sigmas = || rows.iter().filter_map(|row| row.sigma.as_deref());
+        let sigma_whole = widest(&mut sigmas().map(|sigma| split(sigma).0)).max(theme::SIGMA_WHOLE_WIDTH);
+        let sigma_part = widest(&mut sigmas().map(|sigma| split(sigma).1)).max(theme::PART_WIDTH);
+        let unit = theme::UNIT_COLUMN_WIDTH;
+        let all = whole + part + sigma_whole + sigma_part + 2.0 * theme::NUMBER_GAP;
+        let description = (width >= theme::DESCRIBED_TABLE_WIDTH).then_some(width - theme::DESCRIPTION_WIDTH);
+        let end = description.unwrap_or(width);
+        let before_description = if description.is_some() { theme::NUMBER_GAP / 2.0 } else { 0.0 };
+        let left = end - unit - before_description - theme::NUMBER_GAP / 2.0 - all + theme::NUMBER_GAP;
+        let value = left + whole;
+        let sigma = value + part + theme::NUMBER_GAP + sigma_whole;
+        Self {
+            points: [value, sigma],
+            unit: end - unit - before_description,
+            description,
+        }
+    }
+}
+
+/// Whether it is no number: what was typed and cannot be used, in quotes.
+fn is_unusable(value: &str) -> bool {
+    value.starts_with('“')
+}
+
+/// A number before its decimal point, and from there on.
+fn split(number: &str) -> (&str, &str) {
+    let at = number.find(['.', ',']).unwrap_or_else(|| {
+        // A whole number ends where its power of ten begins.
+        number.find(" ×").unwrap_or(number.len())
+    });
+    number.split_at(at)
+}
+
+fn width_of(ui: &Ui, text: &str, is_strong: bool) -> f32 {
+    let font = if is_strong {
+        theme::strong(theme::TABLE_SIZE)
+    } else {
+        theme::regular(theme::TABLE_SIZE)
+    };
+    ui.painter().layout_no_wrap(text.to_owned(), font, Color32::PLACEHOLDER).size().x
+}
+
+/// A name where there is little room.
+fn short(label: &str) -> String {
+    let shorter = [
+        ("(pixels)", "(px)"),
+        ("object ", ""),
+        ("Object distance", "Distance"),
+        (" (OpenCV)", ""),
+    ];
+    let label = shorter
+        .into_iter()
+        .fold(label.to_owned(), |label, (long, short)| label.replace(long, short));
+    label.split(" (meters)").collect::<Vec<_>>().join(" (m)")
+}
+
+struct View<'a> {
+    is_narrow: bool,
+    /// The inputs that something is wrong with, and the color of that.
+    wrong: Vec<(Key, Color32)>,
+    palette: &'a Palette,
+    columns: Columns,
+    pitch: f32,
+}
+
+impl View<'_> {
+    fn header_ui(&self, ui: &mut Ui) {
+        let header = |text: &str, left: f32| Placed {
+            text: LayoutJob::simple_singleline(text.to_owned(), theme::strong(theme::SMALL_SIZE), self.palette.muted),
+            role: Role::ColumnHeader,
+            left,
+            tooltip: String::new(),
+            said: None,
+        };
+        let [value, sigma] = self.columns.points;
+        let mut cells = vec![
+            header("Parameter", 0.0),
+            header("Value", value - theme::HEADER_SHIFT),
+            header("± 1 σ", sigma - theme::HEADER_SHIFT / 2.0),
+        ];
+        cells.extend(self.columns.description.map(|left| header("Description", left)));
+        placed_row_ui(ui, self.pitch, cells, self.palette.line);
+    }
+
+    /// The heading of a part.
+    fn heading_ui(&self, ui: &mut Ui, heading: &str) {
+        let cell = Placed {
+            text: LayoutJob::simple_singleline(heading.to_owned(), theme::strong(theme::SMALL_SIZE), self.palette.muted),
+            role: Role::RowHeader,
+            left: 0.0,
+            tooltip: String::new(),
+            said: None,
+        };
+        placed_row_ui(ui, self.pitch - theme::LABEL_GAP, vec![cell], self.palette.line);
+    }
+
+    /// A row, over a heavier line where a part of the table ends.
+    fn row_ui(&self, ui: &mut Ui, row: &Row, ends_part: bool) {
+        let palette = self.palette;
+        let tooltip = if self.columns.description.is_none() {
+            row.description.clone()
+        } else {
+            String::new()
+        };
+        let mut cells = vec![Placed {
+            text: self.name(row),
+            role: Role::RowHeader,
+            left: 0.0,
+            tooltip,
+            said: Some(row.parameter.clone()),
+        }];
+        let [value, sigma] = self.columns.points;
+        let mut number = self.number(ui, &number::with_minus(&row.value), value, true);
+        if let Some(color) = self.wrong.iter().find(|(key, _)| row.key == Some(*key)).map(|(_, color)| *color) {
+            for section in &mut number.text.sections {
+                section.format.color = color;
+            }
+        }
+        cells.push(number);
+        cells.extend(row.sigma.as_deref().map(|text| self.number(ui, text, sigma, false)));
+        let quiet = |text: &str, left: f32| Placed {
+            text: symbols::job(
+                palette,
+                text,
+                &TextFormat::simple(theme::regular(theme::TABLE_SIZE), palette.muted),
+                false,
+            ),
+            role: Role::Cell,
+            left,
+            tooltip: row.unit.clone(),
+            said: None,
+        };
+        if !row.symbol.is_empty() {
+            cells.push(quiet(&row.symbol, self.columns.unit));
+        }
+        if let Some(left) = self.columns.description {
+            let mut cell = quiet(&row.description, left);
+            cell.text.wrap = egui::text::TextWrapping::truncate_at_width(ui.available_width() - left);
+            cell.tooltip = String::new();
+            cells.push(cell);
+        }
+        placed_row_ui(ui, self.pitch, cells, if ends_part { palette.border } else { palette.line });
+    }
+
+    fn name(&self, row: &Row) -> LayoutJob {
+        let font = theme::regular(theme::TABLE_SIZE);
+        let format = TextFormat::simple(font, self.palette.text);
+        let label = if self.is_narrow { short(&row.label) } else { row.label.clone() };
+        let mut job = symbols::job(self.palette, &label, &format, false);
+        if let Some(key) = row.key.filter(|key| key.shows_symbol()) {
+            job.append(" ", 0.0, format.clone());
+            let colored = TextFormat {
+                color: symbols::color(self.palette, key),
+                ..format
+            };
+            symbols::append(&mut job, row.parameter_symbol, &colored);
+        }
+        // Numbers are never covered.
+        let [value, _] = self.columns.points;
+        job.wrap = egui::text::TextWrapping::truncate_at_width(value - theme::WHOLE_WIDTH);
+        job
+    }
+
+    /// A number with its decimal point at `point`.
+    fn number(&self, ui: &Ui, text: &str, point: f32, is_strong: bool) -> Placed {
+        let (font, color) = if is_strong {
+            (theme::strong(theme::TABLE_SIZE), self.palette.text)
+        } else {
+            (theme::regular(theme::TABLE_SIZE), self.palette.muted)
+        };
+        let left = if is_unusable(text) {
+            point - theme::WHOLE_WIDTH
+        } else {
+            point - width_of(ui, split(text).0, is_strong)
+        };
+        let mut job = LayoutJob::simple_singleline(text.to_owned(), font, color);
+        if is_unusable(text) {
+            job.wrap = egui::text::TextWrapping::truncate_at_width(self.columns.unit - left);
+        }
+        Placed {
+            text: job,
+            role: Role::Cell,
+            left,
+            tooltip: String::new(),
+            said: None,
+        }
+    }
 }
 
 /// A table of names and values without a header, named `title`.
 pub fn pairs_ui(ui: &mut Ui, title: &str, rows: &[(&str, String)]) {
     // A value stays in one line: nobody reads one whose unit is in the next.
-    let width_of = |value: &str| {
-        let galley = ui
-            .painter()
-            .layout_no_wrap(value.to_owned(), theme::strong(theme::BODY_SIZE), Color32::PLACEHOLDER);
-        galley.size().x.ceil()
-    };
     let full = ui.available_width();
-    let widest = rows.iter().map(|(_, value)| width_of(value)).fold(0.0, f32::max).min(full * 0.75);
+    let widest = rows
+        .iter()
+        .map(|(_, value)| width_of(ui, value, true).ceil())
+        .fold(0.0, f32::max)
+        .min(full * 0.75);
     table_ui(ui, title, |ui| {
         for (name, value) in rows {
             let cells = vec![
-                cell(ui, name, theme::regular(theme::BODY_SIZE), Role::RowHeader),
+                cell(ui, name, theme::regular(theme::TABLE_SIZE), Role::RowHeader),
                 Cell {
                     align_right: true,
-                    ..cell(ui, value, theme::strong(theme::BODY_SIZE), Role::Cell)
+                    ..cell(ui, value, theme::strong(theme::TABLE_SIZE), Role::Cell)
                 },
             ];
             row_ui(ui, cells, &[full - widest, widest]);

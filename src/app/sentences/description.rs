@@ -13,6 +13,18 @@ use std::fmt::{self, Display, Formatter};
 /// The description of a picture, with the numbers in it.
 #[derive(Clone, Copy, Debug)]
 pub enum Description<'a> {
+    /// What the letters mean.
+    Letters,
+    /// What an answer gains when one input is known exactly: a name and what is left of σ each.
+    Gains { rows: &'a [(String, String)] },
+    /// The curve of the disparity against the distance.
+    InverseCurve { point: Option<(&'a str, &'a str)> },
+    /// The camera and the ray from the side: how far ahead, how far to the right, and along the floor.
+    SideView { ahead: &'a str, along: &'a str },
+    /// The point in the image, below the horizon.
+    InImage,
+    /// The floor from above.
+    Floor { ahead: &'a str, right: &'a str },
     /// The bars of both distances.
     Bars { solution: &'a Solution, unit: LengthUnit },
     /// The curve of distance against disparity, with the current point where there is one.
@@ -49,6 +61,31 @@ impl Display for Description<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let length = |length, unit| report::length(Some(length), unit);
         match *self {
+            Self::Letters => f.write_str(
+                "Two cameras a baseline b apart look at a box that is w_real wide, at the distance D. In their images, which lie the focal \
+                 length f_x from the lens, the box is w_img wide, and shifted by the disparity d. Stereo: D = fx · b / d. Monocular: \
+                 D = w_real · fx / w_img.",
+            ),
+            Self::Gains { rows } => {
+                f.write_str("What is left of the uncertainty")?;
+                for (name, left) in rows {
+                    write!(f, "; {name}: {left}")?;
+                }
+                f.write_str(".")
+            }
+            Self::InverseCurve { point } => {
+                f.write_str("Curve of disparity against distance, falling as one over the distance.")?;
+                match point {
+                    Some((distance, disparity)) => write!(f, " At {distance} the disparity is {disparity}."),
+                    None => Ok(()),
+                }
+            }
+            Self::SideView { ahead, along } => write!(
+                f,
+                "The camera from the side: its ray meets the floor {ahead} straight ahead, {along} away along the floor."
+            ),
+            Self::InImage => f.write_str("The image, with the horizon, the principal point and the point that is measured."),
+            Self::Floor { ahead, right } => write!(f, "The floor from above: the point is {ahead} ahead and {right} to the right."),
             Self::Bars { solution, unit } => {
                 let bars: Vec<String> = Method::ALL.iter().filter_map(|&method| bar(solution, method, unit)).collect();
                 write!(f, "Bar chart. {}.", bars.join(", "))
@@ -159,7 +196,14 @@ mod tests {
             below: 2,
             beyond: 3,
         };
+        let gains = [("All as typed".to_owned(), "± 0.46 px".to_owned())];
         let mut descriptions = every![Description<'_>;
+            Description::Letters => Description::Letters,
+            Description::Gains { .. } => Description::Gains { rows: &gains },
+            Description::InverseCurve { .. } => Description::InverseCurve { point: Some(("1.40 m", "50.00 px")) },
+            Description::SideView { .. } => Description::SideView { ahead: "3.08 m", along: "3.74 m" },
+            Description::InImage => Description::InImage,
+            Description::Floor { .. } => Description::Floor { ahead: "3.08 m", right: "2.13 m" },
             Description::Bars { .. } => Description::Bars { solution: &solution, unit },
             Description::Curve { .. } => Description::Curve { point: Some((Pixels::new(50.0), meters(1.4))), unit },
             Description::TopView(_) => Description::TopView(TopView {

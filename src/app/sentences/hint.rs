@@ -1,11 +1,11 @@
 //! What helps to enter something, or to understand what is shown.
 
 use crate::core::angle::Angle;
-use crate::core::problem::Method;
 use crate::core::q_matrix::StereoGeometry;
-use crate::core::quantity::{Length, LengthUnit};
+use crate::core::quantity::LengthUnit;
 use depth_text::field::Key;
-use depth_text::names::Named as _;
+use depth_text::fields;
+use depth_text::form::Example;
 use depth_text::number::{plain, significant};
 use depth_text::report;
 use depth_text::sentences::needs;
@@ -15,36 +15,36 @@ use std::fmt::{self, Display, Formatter};
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs, reason = "the facts of a sentence have the names of what they are")]
 pub enum Hint {
-    /// What could be typed into an empty field.
-    Example { key: Key },
     /// What a screen reader adds to the name and the value of a field.
     Field { key: Key },
     /// What a screen reader adds to the name and the value of the σ of a field.
     Sigma,
-    /// Where a number comes from that was solved for.
-    Solved,
     /// How a Q matrix can be typed.
     QMatrixForms,
     /// What a Q matrix contains.
     QMatrixContents { geometry: StereoGeometry },
     /// The question for the unit of the baseline in a Q matrix.
     QMatrixUnit { baseline: f64 },
-    /// What a method needs before it gives a distance.
-    MethodNeeds { method: Method, formula: String },
-    /// What is still missing of a method that was begun.
-    StillNeeds { method: Method, missing: Vec<Key> },
+    /// How many numbers an answer still needs.
+    StillNeeds { title: String, count: usize },
     /// The field of view that a focal length means.
     View { view: Angle },
     /// That a baseline may be in squares.
     SquaresOfBoard,
     /// What the button for a Q matrix copies, or what is missing for it.
     QMatrixCopy { missing: Vec<Key> },
-    /// That the tilt counts.
-    TiltIsUsed { without: Length, unit: LengthUnit },
-    /// How far the distance changes with one pixel of disparity.
-    OnePixel { range: String },
-    /// The bars, while no distance is known.
-    NoBars,
+    /// The gains, while there is no answer with σ.
+    NoGains,
+    /// The curve of the disparity, while no distance is given.
+    NoInverseCurve,
+    /// What the σ of a disparity is.
+    MatchingErrors,
+    /// The ground plane, while there is no point on it.
+    NoSideView,
+    /// What can be done with the pictures of the ground plane.
+    RingsCanBeDragged,
+    /// What stands in gray in the empty form.
+    ExampleInGray,
     /// The curve, while there is no pair of cameras.
     NoCurve,
     /// The curve, where a disparity is not in pixels.
@@ -67,8 +67,6 @@ pub enum Hint {
     TiltedTarget,
     /// The formula of the ground plane.
     GroundPlane,
-    /// The mean of many distances is too far by this.
-    Bias { bias: Length, unit: LengthUnit },
     /// How much of the simulation is done.
     Simulating { total: u32, percent: u16 },
     /// What the simulation has done.
@@ -78,7 +76,6 @@ pub enum Hint {
 impl Display for Hint {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Example { key } => write!(f, "e.g. {}", key.example()),
             Self::Field { key } => write_field(f, *key),
             Self::QMatrixContents { geometry } => write!(
                 f,
@@ -90,23 +87,9 @@ impl Display for Hint {
                 plain(geometry.cy.px())
             ),
             Self::QMatrixUnit { baseline } => write!(f, "A Q matrix carries no unit. In which unit is the baseline {}?", plain(*baseline)),
-            Self::MethodNeeds { method, formula } => {
-                let needed = method.fields().map(Key::from);
-                write!(f, "{}: {formula} {}.", method.name(), needs(&needed))
-            }
-            Self::StillNeeds { method, missing } => write!(f, "{}: {}.", method.name(), needs(missing)),
+            Self::StillNeeds { title, count: 1 } => write!(f, "{title} needs one more number"),
+            Self::StillNeeds { title, count } => write!(f, "{title} needs {count} more numbers"),
             Self::View { view } => write!(f, "A horizontal field of view of {}°.", significant(view.degrees(), 3)),
-            Self::TiltIsUsed { without, unit } => write!(
-                f,
-                "The monocular distance has the tilt in it; without, it would be {}.",
-                report::length(Some(*without), *unit)
-            ),
-            Self::OnePixel { range } => write!(f, "{range} with {}", report::ONE_PIXEL),
-            Self::Bias { bias, unit } => write!(
-                f,
-                "Averaging many such distances comes out {} too far: average the pixels, not the distances.",
-                report::length(Some(*bias), *unit)
-            ),
             Self::Simulating { total, percent } => {
                 write!(f, "Drawing {} times: {percent} %", grouped(*total))
             }
@@ -115,24 +98,28 @@ impl Display for Hint {
                 "{} draws of all inputs, the same ones every time. A draw whose pixels are zero or less counts as infinitely far.",
                 grouped(*draws)
             ),
-            Self::Solved => f.write_str("Computed from the distance and the other quantities."),
             Self::QMatrixForms => f.write_str("As numpy or MATLAB prints it, as OpenCV’s YAML, XML or JSON has it, or as sixteen numbers."),
             Self::SquaresOfBoard => f.write_str("Or in squares of the calibration board, if the calibration was not told their size:"),
             Self::QMatrixCopy { missing } if missing.is_empty() => {
                 f.write_str("The matrix of the numbers in the form as OpenCV’s YAML, with the baseline in meters:")
             }
             Self::QMatrixCopy { missing } => write!(f, "To copy a Q matrix out of the form: it {}.", needs(missing)),
-            Self::NoBars => f.write_str("The distances of both methods side by side, as soon as one of them is known."),
+            Self::NoGains => f.write_str("How much surer the answer gets when one of the inputs is known exactly, once they have ± σ."),
+            Self::NoInverseCurve => f.write_str("The disparity at every distance, once focal length, baseline and distance are known."),
+            Self::MatchingErrors => f.write_str("How well the matcher finds the same point, one σ:"),
+            Self::NoSideView => f.write_str("The camera, its ray and the floor, once a focal length, the height, the pitch and a row are known."),
+            Self::RingsCanBeDragged => f.write_str("Both rings can be dragged."),
+            Self::ExampleInGray => write_example(f),
             Self::ObjectAhead => f.write_str("The object is drawn straight ahead of the camera, facing it."),
             Self::DepthOrRange => f.write_str("The distance of this program is the depth Z along the optical axis. A tape held at the lens measures the range R, which is longer away from the middle of the image."),
             Self::TiltedTarget => f.write_str("A target turned away by an angle looks narrower by its cosine, so the monocular method puts it too far away. The distance is that to the plane of the target’s middle, along the optical axis."),
-            Self::GroundPlane => f.write_str("Where the ray of a pixel meets a level floor, or the level plane that the target reaches up to: straight ahead (h − h_target) / tan(θ + atan((v − cy) / fy)). Needs neither a second camera nor a known size. cx, cy and fy are those of Depth or range; the camera has no roll."),
+            Self::GroundPlane => f.write_str("Where the ray of a pixel meets a level floor, or the level plane that the target reaches up to: straight ahead (H − h) / tan(θ + atan((v − cy) / fy)). Needs neither a second camera nor a known size. The camera has no roll."),
             Self::Sigma => f.write_str("One standard deviation, in the unit of the value, with a unit of its own, or in percent. Empty: none."),
             Self::NoCurve => f.write_str("How fast the distance grows as the disparity shrinks, once focal length and baseline are known."),
             Self::NoPixelsForCurve => f.write_str("This curve counts the disparity in pixels."),
             Self::FromTheSide => f.write_str("Seen from the side: up is to the left."),
             Self::TwoShots => f.write_str("For an object whose size is not known: w_1 and w_2 are its widths in two photographs, the second a step s nearer. The first place is s · w_2 / (w_2 − w_1) away. An error of a pixel counts D / s times as much as with a known size, so step far."),
-            Self::TwoPoints => f.write_str("The straight line between two points that both cameras see, each with its pixel in the left image (or the upper one) and its disparity. fx, b, doffs and fy are those of the form, cx and cy those of Depth or range."),
+            Self::TwoPoints => f.write_str("The straight line between two points that both cameras see, each with its pixel in the left image (or the upper one) and its disparity."),
             Self::NoTopView => f.write_str("The cameras, their lines of sight and the object from above, as soon as a distance is known."),
             Self::ObjectMidway => f.write_str("The object is drawn midway between the cameras; where it stands sideways needs more than a disparity."),
         }
@@ -147,10 +134,24 @@ pub(super) fn grouped(count: u32) -> String {
     format!("{}\u{a0}{:03}", count / 1000, count % 1000)
 }
 
+/// The example of the empty form in words, with its numbers.
+fn write_example(f: &mut Formatter<'_>) -> fmt::Result {
+    let inputs = Example::Parcel.inputs();
+    let assessment = inputs.assess();
+    let typed = |key: Key| assessment.reading(key).map_or_else(String::new, |reading| reading.text());
+    write!(
+        f,
+        "A parcel {} wide, {} in front of two cameras that stand {} apart. Every gray number is replaced by what you type.",
+        typed(fields::REAL_WIDTH),
+        report::length(assessment.solution.best().map(|best| best.distance.value), LengthUnit::Meter),
+        typed(fields::BASELINE),
+    )
+}
+
 /// The hint of the field, its unit, and its keys.
 fn write_field(f: &mut Formatter<'_>, key: Key) -> fmt::Result {
     if !key.hint.is_empty() {
-        write!(f, "{} ", key.hint)?;
+        write!(f, "{}. ", key.hint)?;
     }
     let symbol = key.unit_symbol();
     // The unit of a length is a control of its own.
@@ -177,11 +178,9 @@ mod tests {
     use super::Hint;
     use crate::app::sentences::snapshot::{assert_shown, every};
     use crate::core::angle::Angle;
-    use crate::core::problem::{Method, Problem};
     use crate::core::q_matrix::StereoGeometry;
-    use crate::core::quantity::{Length, LengthUnit, Pixels};
+    use crate::core::quantity::Pixels;
     use depth_text::fields;
-    use depth_text::names::formula;
 
     #[test]
     fn every_hint_is_as_it_was_written() {
@@ -194,24 +193,21 @@ mod tests {
             swapped: false,
         };
         let mut hints = every![Hint;
-            Hint::Example { .. } => Hint::Example { key: fields::FOCAL_LENGTH },
             Hint::Field { .. } => Hint::Field { key: fields::FOCAL_LENGTH },
             Hint::Sigma => Hint::Sigma,
-            Hint::Solved => Hint::Solved,
             Hint::QMatrixForms => Hint::QMatrixForms,
             Hint::QMatrixContents { .. } => Hint::QMatrixContents { geometry: geometry() },
             Hint::QMatrixUnit { .. } => Hint::QMatrixUnit { baseline: 100.0 },
-            Hint::MethodNeeds { .. } => Hint::MethodNeeds {
-                method: Method::Stereo,
-                formula: formula(&Problem::default(), Method::Stereo),
-            },
-            Hint::StillNeeds { .. } => Hint::StillNeeds { method: Method::Stereo, missing: vec![fields::BASELINE, fields::DISPARITY] },
+            Hint::StillNeeds { .. } => Hint::StillNeeds { title: "Stereo".into(), count: 1 },
             Hint::View { .. } => Hint::View { view: Angle::from_degrees(54.317) },
             Hint::SquaresOfBoard => Hint::SquaresOfBoard,
             Hint::QMatrixCopy { .. } => Hint::QMatrixCopy { missing: Vec::new() },
-            Hint::TiltIsUsed { .. } => Hint::TiltIsUsed { without: Length::from_m(4.275), unit: LengthUnit::Meter },
-            Hint::OnePixel { .. } => Hint::OnePixel { range: "1.373 … 1.429 m".into() },
-            Hint::NoBars => Hint::NoBars,
+            Hint::NoGains => Hint::NoGains,
+            Hint::NoInverseCurve => Hint::NoInverseCurve,
+            Hint::MatchingErrors => Hint::MatchingErrors,
+            Hint::NoSideView => Hint::NoSideView,
+            Hint::RingsCanBeDragged => Hint::RingsCanBeDragged,
+            Hint::ExampleInGray => Hint::ExampleInGray,
             Hint::NoCurve => Hint::NoCurve,
             Hint::NoPixelsForCurve => Hint::NoPixelsForCurve,
             Hint::NoTopView => Hint::NoTopView,
@@ -223,13 +219,12 @@ mod tests {
             Hint::DepthOrRange => Hint::DepthOrRange,
             Hint::TiltedTarget => Hint::TiltedTarget,
             Hint::GroundPlane => Hint::GroundPlane,
-            Hint::Bias { .. } => Hint::Bias { bias: Length::from_m(0.0028), unit: LengthUnit::Meter },
             Hint::Simulating { .. } => Hint::Simulating { total: 100_000, percent: 40 },
             Hint::Simulated { .. } => Hint::Simulated { draws: 100_000 },
         ];
-        hints.push(Hint::MethodNeeds {
-            method: Method::Monocular,
-            formula: formula(&Problem::default(), Method::Monocular),
+        hints.push(Hint::StillNeeds {
+            title: "Monocular".into(),
+            count: 3,
         });
         hints.push(Hint::QMatrixCopy {
             missing: vec![fields::CX, fields::CY],

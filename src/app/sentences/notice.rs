@@ -11,6 +11,12 @@ pub enum NoticeText {
     Copied(Copyable),
     /// The results could not be copied.
     NotCopied(PlatformError),
+    /// The clipboard could not be pasted.
+    NotPasted(PlatformError),
+    /// A file was saved.
+    Saved(Place),
+    /// A file could not be saved.
+    NotSaved(PlatformError),
     /// The fields were cleared.
     Cleared,
     /// There was nothing to clear.
@@ -55,9 +61,13 @@ pub enum FreshStart {
 impl Display for NoticeText {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Copied(Copyable::Results) => f.write_str("Results copied to the clipboard."),
+            Self::Copied(Copyable::Results) => {
+                f.write_str("Copied to the clipboard: the answers, the table, and a link that opens them again.")
+            }
             Self::Copied(Copyable::QMatrix) => f.write_str("Q matrix copied to the clipboard; its baseline is in meters."),
-            Self::NotCopied(error) => error.fmt(f),
+            Self::Copied(Copyable::Value(value)) => write!(f, "“{value}” copied to the clipboard."),
+            Self::NotCopied(error) | Self::NotPasted(error) | Self::NotSaved(error) => error.fmt(f),
+            Self::Saved(place) => write!(f, "Saved {place}."),
             Self::Cleared => f.write_str("All fields are cleared."),
             Self::NothingToClear => f.write_str("There was nothing to clear."),
             Self::FilledByExample => f.write_str("The example is filled in."),
@@ -109,7 +119,10 @@ mod tests {
         let place = || Place::File("old.json".into());
         let mut notices = every![NoticeText;
             NoticeText::Copied(_) => NoticeText::Copied(Copyable::Results),
+            NoticeText::NotPasted(_) => NoticeText::NotPasted(PlatformError::NoClipboard),
             NoticeText::NotCopied(_) => NoticeText::NotCopied(PlatformError::NoClipboard),
+            NoticeText::Saved(_) => NoticeText::Saved(Place::Downloads("top-view.png".to_owned())),
+            NoticeText::NotSaved(_) => NoticeText::NotSaved(PlatformError::NoPicture),
             NoticeText::Cleared => NoticeText::Cleared,
             NoticeText::NothingToClear => NoticeText::NothingToClear,
             NoticeText::FilledByExample => NoticeText::FilledByExample,
@@ -126,6 +139,7 @@ mod tests {
         ];
         let not_loaded = || FreshStart::NotLoaded(PlatformError::NoStorage);
         notices.extend([
+            NoticeText::Saved(Place::File("Downloads/top-view.png".into())),
             NoticeText::Forgetful {
                 cause: not_loaded(),
                 obstacle: None,

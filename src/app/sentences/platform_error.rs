@@ -1,9 +1,9 @@
-//! What the machine refuses, and where it has put what could not be read.
+//! What the machine refuses, and where it has put a file or what could not be read.
 
 use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;
 
-/// Why the storage or the clipboard of the machine cannot be used. A `reason` is the message of the operating system, without a full
+/// Why the storage, the clipboard or the files of the machine cannot be used. A `reason` is the message of the operating system, without a full
 /// stop, or that of the browser, a sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "the facts of a sentence have the names of what they are")]
@@ -32,6 +32,16 @@ pub enum PlatformError {
     NoClipboard,
     /// The browser has a clipboard, and denies it to the page.
     CopyDenied { reason: String },
+    /// The browser has a clipboard, and does not let the page read it.
+    PasteDenied { reason: String },
+    /// A file that the person asked for cannot be written.
+    NotSaved { file: PathBuf, reason: String },
+    /// The browser refuses to download a file that the person asked for.
+    NoDownload { reason: String },
+    /// The window gave no picture of itself, or none of the chart.
+    NoPicture,
+    /// A picture cannot be written as PNG.
+    NoPng { reason: String },
     /// The state has no text form.
     NotSerialized { reason: String },
 }
@@ -55,13 +65,24 @@ impl Display for PlatformError {
                 "This browser could not store your inputs: {reason} Its storage for this site may be full: clear what you no longer need."
             ),
             Self::NotSetAside { reason } => write!(f, "This browser could not set it aside: {reason}"),
-            Self::NoClipboard => {
-                f.write_str("This browser copies only from pages that arrive over https or from this computer: open the page that way.")
-            }
+            Self::NoClipboard => f.write_str(
+                "This browser copies and pastes only on pages that arrive over https or from this computer: open the page that way.",
+            ),
             Self::CopyDenied { reason } => write!(
                 f,
                 "This browser refused to copy: {reason} Allow this page to use the clipboard and try again."
             ),
+            Self::PasteDenied { reason } => write!(
+                f,
+                "This browser refused to paste: {reason} Press Ctrl+V, on a Mac ⌘V, or hold a finger on the field, which needs no permission."
+            ),
+            Self::NotSaved { file, reason } => write!(f, "{} cannot be written: {reason}.", file.display()),
+            Self::NoDownload { reason } => write!(
+                f,
+                "This browser refused to download the file: {reason} Allow this page to download files and try again."
+            ),
+            Self::NoPicture => f.write_str("The window gave no picture of the chart: show the whole chart and try again."),
+            Self::NoPng { reason } => write!(f, "The picture cannot be written as PNG: {reason}."),
             Self::NotSerialized { reason } => write!(f, "What you entered cannot be written as text: {reason}."),
         }
     }
@@ -69,13 +90,15 @@ impl Display for PlatformError {
 
 impl std::error::Error for PlatformError {}
 
-/// Where a stored text is that could not be parsed. Its `Display` is the end of a sentence.
+/// Where a file is that was asked for, or a stored text that could not be parsed. Its `Display` is the end of a sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Place {
     /// In this file.
     File(PathBuf),
     /// In the browser's local storage, under this key.
     Storage(String),
+    /// Among what the browser has downloaded, under this name or one like it.
+    Downloads(String),
 }
 
 impl Display for Place {
@@ -83,6 +106,7 @@ impl Display for Place {
         match self {
             Self::File(file) => write!(f, "in the file {}", file.display()),
             Self::Storage(key) => write!(f, "in this browser's storage, under the key “{key}”"),
+            Self::Downloads(name) => write!(f, "among this browser's downloads, as “{name}”"),
         }
     }
 }
@@ -110,12 +134,18 @@ mod tests {
             PlatformError::NotSetAside { .. } => PlatformError::NotSetAside { reason: browser() },
             PlatformError::NoClipboard => PlatformError::NoClipboard,
             PlatformError::CopyDenied { .. } => PlatformError::CopyDenied { reason: browser() },
+            PlatformError::PasteDenied { .. } => PlatformError::PasteDenied { reason: browser() },
+            PlatformError::NotSaved { .. } => PlatformError::NotSaved { file: "Downloads/top-view.png".into(), reason: system() },
+            PlatformError::NoDownload { .. } => PlatformError::NoDownload { reason: browser() },
+            PlatformError::NoPicture => PlatformError::NoPicture,
+            PlatformError::NoPng { .. } => PlatformError::NoPng { reason: "out of memory".into() },
             PlatformError::NotSerialized { .. } => PlatformError::NotSerialized { reason: "key must be a string".into() },
         ];
         assert_shown("platform-errors", &errors);
         let places = every![Place;
             Place::File(_) => Place::File("state-v1.old".into()),
             Place::Storage(_) => Place::Storage("depth-calculator/v1/set aside".into()),
+            Place::Downloads(_) => Place::Downloads("top-view.png".into()),
         ];
         assert_shown("places", &places);
     }

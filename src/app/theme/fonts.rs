@@ -5,6 +5,12 @@ use std::sync::Arc;
 
 const SEMIBOLD: &str = "semibold";
 
+const INTER_REGULAR: &[u8] = include_bytes!("../../../assets/fonts/Inter-Regular.ttf");
+const INTER_SEMIBOLD: &[u8] = include_bytes!("../../../assets/fonts/Inter-SemiBold.ttf");
+
+/// The files of the family Inter by their weights in CSS: what measures the pictures of a report is also what writes them.
+pub const INTER: [(&str, &[u8]); 2] = [("400", INTER_REGULAR), ("600", INTER_SEMIBOLD)];
+
 /// The family of headings, names of fields and results.
 pub fn semibold() -> FontFamily {
     FontFamily::Name(SEMIBOLD.into())
@@ -27,9 +33,9 @@ pub(super) fn install(ctx: &egui::Context) {
     const SYMBOLS: &str = "Symbols";
     let mut fonts = FontDefinitions::empty();
     for (name, bytes) in [
-        (REGULAR, &include_bytes!("../../../assets/fonts/Inter-Regular.ttf")[..]),
-        (SEMI, &include_bytes!("../../../assets/fonts/Inter-SemiBold.ttf")[..]),
-        (SYMBOLS, &include_bytes!("../../../assets/fonts/Symbols.ttf")[..]),
+        (REGULAR, INTER_REGULAR),
+        (SEMI, INTER_SEMIBOLD),
+        (SYMBOLS, include_bytes!("../../../assets/fonts/Symbols.ttf")),
     ] {
         fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(bytes)));
     }

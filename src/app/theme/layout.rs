@@ -3,7 +3,7 @@
 use super::sizes;
 
 /// How much room there is, and what fits into it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Layout {
     /// Everything in one column, controls for fingers, the result in a bar at the bottom.
     Phone,
@@ -21,7 +21,7 @@ impl Layout {
         match width {
             w if w < 720.0 => Self::Phone,
             w if w < 1080.0 => Self::Tablet,
-            w if w < 1640.0 => Self::Desktop,
+            w if w < 1600.0 => Self::Desktop,
             _ => Self::Wide,
         }
     }
@@ -35,11 +35,17 @@ impl Layout {
         }
     }
 
+    /// Whether there is one column only.
+    pub const fn is_narrow(self) -> bool {
+        matches!(self, Self::Phone)
+    }
+
     /// Between cards.
     pub const fn gap(self) -> f32 {
         match self {
             Self::Phone => sizes::GAP_PHONE,
-            _ => sizes::GAP,
+            Self::Tablet | Self::Desktop => sizes::GAP,
+            Self::Wide => sizes::GAP_WIDE,
         }
     }
 
@@ -51,10 +57,20 @@ impl Layout {
             Self::Desktop | Self::Wide => sizes::CONTROL_HEIGHT,
         }
     }
+
+    /// The side of a button that is a sign, and the height of a tab.
+    pub const fn icon_size(self) -> f32 {
+        match self {
+            Self::Phone | Self::Tablet => sizes::ICON_BUTTON_TOUCH,
+            Self::Desktop | Self::Wide => sizes::CONTROL_HEIGHT,
+        }
+    }
+
     /// Width of the form beside the results.
     pub const fn form_width(self) -> f32 {
         match self {
             Self::Tablet => sizes::FORM_WIDTH_TABLET,
+            Self::Wide => sizes::FORM_WIDTH_WIDE,
             _ => sizes::FORM_WIDTH,
         }
     }
@@ -62,16 +78,17 @@ impl Layout {
     /// Left and right of a screen.
     pub const fn screen_margin(self) -> i8 {
         match self {
-            Self::Phone => 8,
-            _ => 20,
+            Self::Phone => 16,
+            Self::Tablet => 16,
+            _ => 24,
         }
     }
 
     /// Left and right in the bars above and below the screen.
     pub const fn bar_margin(self) -> i8 {
         match self {
-            Self::Phone => 12,
-            _ => 20,
+            Self::Phone | Self::Tablet => 16,
+            _ => 24,
         }
     }
 
@@ -79,15 +96,7 @@ impl Layout {
     pub const fn inline_control_height(self) -> f32 {
         match self {
             Self::Phone => sizes::CONTROL_HEIGHT_TOUCH,
-            _ => 28.0,
-        }
-    }
-
-    /// Height of a control beside the heading of the results.
-    pub const fn heading_control_height(self) -> f32 {
-        match self {
-            Self::Phone => sizes::CONTROL_HEIGHT_TOUCH,
-            _ => 30.0,
+            _ => 24.0,
         }
     }
 }

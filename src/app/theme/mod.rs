@@ -7,7 +7,7 @@ mod sizes;
 mod style;
 mod system_colors;
 
-pub use fonts::{regular, strong};
+pub use fonts::{INTER, regular, strong};
 pub use layout::Layout;
 pub use palette::{Palette, palette};
 pub use sizes::*;

@@ -46,6 +46,12 @@ pub struct Palette {
     pub red_tint: Color32,
     /// Warnings.
     pub amber: Color32,
+    /// What holds no longer, in a picture.
+    pub stale: Color32,
+    /// Behind it.
+    pub stale_tint: Color32,
+    /// The shares of a budget, the largest first.
+    pub shares: [Color32; 4],
 }
 
 /// The colors of the light theme.
@@ -69,6 +75,14 @@ pub(super) const LIGHT: Palette = Palette {
     red: Color32::from_rgb(0xb4, 0x23, 0x18),
     red_tint: Color32::from_rgb(0xfb, 0xe3, 0xe0),
     amber: Color32::from_rgb(0x8a, 0x53, 0x00),
+    stale: Color32::from_rgb(0x6b, 0x75, 0x82),
+    stale_tint: Color32::from_rgb(0xec, 0xef, 0xf3),
+    shares: [
+        Color32::from_rgb(0x41, 0x4a, 0x57),
+        Color32::from_rgb(0x8b, 0x95, 0xa3),
+        Color32::from_rgb(0xcb, 0xd1, 0xd9),
+        Color32::from_rgb(0xe4, 0xe8, 0xed),
+    ],
 };
 
 /// The colors of the dark theme.
@@ -92,6 +106,14 @@ pub(super) const DARK: Palette = Palette {
     red: Color32::from_rgb(0xff, 0x8a, 0x80),
     red_tint: Color32::from_rgb(0x48, 0x1f, 0x1c),
     amber: Color32::from_rgb(0xf0, 0xb4, 0x5a),
+    stale: Color32::from_rgb(0x8d, 0x98, 0xa6),
+    stale_tint: Color32::from_rgb(0x2b, 0x33, 0x3d),
+    shares: [
+        Color32::from_rgb(0xc3, 0xca, 0xd4),
+        Color32::from_rgb(0x7a, 0x85, 0x93),
+        Color32::from_rgb(0x46, 0x50, 0x5d),
+        Color32::from_rgb(0x33, 0x3b, 0x46),
+    ],
 };
 
 /// The id under which the memory of egui holds the palette that replaces those of both themes.

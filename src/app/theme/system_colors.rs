@@ -65,6 +65,9 @@ impl SystemColors {
             red: canvas_text,
             red_tint: canvas,
             amber: canvas_text,
+            stale: canvas_text,
+            stale_tint: canvas,
+            shares: [0.8, 0.55, 0.35, 0.2].map(|share| canvas.lerp_to_gamma(canvas_text, share)),
         }
     }
 }

@@ -6,20 +6,30 @@ use egui::{Id, Rect, Ui, UiBuilder};
 /// panels at the bottom come before what they leave room for.
 pub struct BottomBar {
     id: Id,
-    /// How high the bar was in the last pass.
+    /// Where the height of the bar is remembered.
+    kept: Id,
+    /// How high the bar was when it last had these contents.
     height: f32,
     above: Rect,
     below: Rect,
 }
 
 impl BottomBar {
-    /// Divides what `ui` has left, by how high the bar was in the last pass.
-    pub fn new(ui: &Ui, id: &str) -> Self {
+    /// Divides what `ui` has left, by how high the bar was when `contents` was last the same: a pass with another height would push what
+    /// is scrolled to its end.
+    pub fn new(ui: &Ui, id: &str, contents: impl egui::AsIdSalt) -> Self {
         let id = Id::unique(id);
-        let height: f32 = ui.data(|data| data.get_temp(id)).unwrap_or(0.0);
+        let kept = id.with(contents);
+        let height: f32 = ui.data(|data| data.get_temp(kept)).unwrap_or(0.0);
         let whole = ui.available_rect_before_wrap();
         let (above, below) = whole.split_top_bottom_at_y((whole.bottom() - height).max(whole.top()));
-        Self { id, height, above, below }
+        Self {
+            id,
+            kept,
+            height,
+            above,
+            below,
+        }
     }
 
     /// Draws the screen.
@@ -39,7 +49,7 @@ impl BottomBar {
         });
         let height = drawn.response.rect.height();
         if height != self.height {
-            ui.data_mut(|data| data.insert_temp(self.id, height));
+            ui.data_mut(|data| data.insert_temp(self.kept, height));
             ui.ctx().request_discard("the bar at the bottom has another height");
         }
     }

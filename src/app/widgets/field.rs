@@ -1,20 +1,26 @@
-//! The field of the program: label, text, unit, σ, hint, and what is wrong with it. One widget for every field of the table.
+//! The field of the program: one joined control of value, unit and σ, with its label above, and a line below that reads it back or says
+//! what is wrong with it. One widget for every field of the table.
 
+use super::joined::{self, Cells};
 use super::note_line::{self, NoteLine};
+use super::symbols;
 use super::text;
+use super::text_menu;
 use super::unit_choice::{TypedUnit, typed_unit_choice_ui};
 use crate::app::command::{Command, Helper, Scope};
 use crate::app::sentences::Hint;
-use crate::app::theme::{self, FIELD_PARTS_GAP, SIGMA_WIDTH, UNIT_WIDTH};
+use crate::app::theme;
 use depth_text::entry::Entry;
 use depth_text::field::Key as FieldKey;
 use depth_text::note::{Note, Part};
+use depth_text::number::is_half_typed;
 use depth_text::reading::Reading;
 use depth_text::report;
 use depth_text::unit::Unit;
 use egui::accesskit::Role;
 use egui::text::{CCursor, CCursorRange};
-use egui::{Align, Button, Id, Key, Modifiers, Rect, Response, RichText, Sense, Stroke, TextEdit, Ui, UiBuilder, vec2};
+use egui::text_edit::TextEditOutput;
+use egui::{Align, Id, Key, Modifiers, Rect, Response, Sense, Ui, UiBuilder, vec2};
 
 /// A field of the table, with what was typed into it and what is to be said about that.
 pub struct Field<'a> {
@@ -43,25 +49,19 @@ pub fn id(key: impl Into<FieldKey>) -> Id {
 
 /// The label of a field alone, with the link to its helper at the other end of the line. For the link to one that
 /// [comes last](Helper::comes_last) it leaves room.
-pub fn label_ui(ui: &mut Ui, key: FieldKey, helper: Option<Helper>, commands: &mut Vec<Command>) -> Response {
-    let palette = theme::palette(ui);
-    let height = ui.spacing().interact_size.y;
-    let line_height = if height >= theme::CONTROL_HEIGHT_TOUCH && helper.is_some() {
-        height
-    } else {
-        theme::LABEL_HEIGHT
-    };
-    let line = vec2(ui.available_width(), line_height);
-    ui.allocate_ui_with_layout(line, egui::Layout::left_to_right(Align::Center), |ui| {
-        ui.spacing_mut().interact_size.y = line_height;
-        let label = ui.label(RichText::new(key.name).font(theme::strong(theme::BODY_SIZE)).color(palette.text));
-        if let Some(helper) = helper.filter(|helper| !helper.comes_last()) {
-            let line = ui.available_rect_before_wrap();
-            helper_ui(ui, line, helper, commands);
-        }
-        label
-    })
-    .inner
+pub fn label_ui(ui: &mut Ui, line: Rect, key: FieldKey, helper: Option<Helper>, commands: &mut Vec<Command>) -> Response {
+    let place = UiBuilder::new()
+        .id_salt("label")
+        .max_rect(line)
+        .layout(egui::Layout::left_to_right(Align::Center));
+    let mut ui = ui.new_child(place);
+    ui.spacing_mut().item_spacing.x = theme::STEP;
+    let label = symbols::label_ui(&mut ui, key);
+    if let Some(helper) = helper.filter(|helper| !helper.comes_last()) {
+        let left = line.with_min_x(label.rect.right() + theme::STEP);
+        helper_ui(&mut ui, left, helper, commands);
+    }
+    label
 }
 
 /// The link to a helper, at the end of `line`.
@@ -69,55 +69,110 @@ pub fn helper_ui(ui: &mut Ui, line: Rect, helper: Helper, commands: &mut Vec<Com
     let layout = egui::Layout::right_to_left(Align::Center);
     let place = UiBuilder::new().id_salt("helper").max_rect(line).layout(layout);
     let mut ui = ui.new_child(place);
-    ui.spacing_mut().interact_size.y = line.height();
     let open = Command::Help(Some(helper));
-    let color = theme::palette(&ui).blue;
-    let link = Button::new(RichText::new(open.text()).size(theme::SMALL_SIZE).color(color)).frame(false);
-    if ui.add(link.min_size(vec2(0.0, line.height()))).clicked() {
+    if text::quiet_link_ui(&mut ui, open.text(), line.height()).clicked() {
         commands.push(open);
     }
 }
 
+/// The height of a joined control.
+pub fn height(ui: &Ui) -> f32 {
+    if ui.spacing().interact_size.y >= theme::CONTROL_HEIGHT_TOUCH {
+        theme::CONTROL_HEIGHT_TOUCH
+    } else {
+        theme::FIELD_HEIGHT
+    }
+}
+
+/// The lines of a field: its label, its control, and what stands below.
+#[derive(Clone, Copy, Debug)]
+pub struct Lines {
+    /// The line of the label.
+    pub label: Rect,
+    /// The joined control.
+    pub control: Rect,
+    /// The line below.
+    pub note: Rect,
+}
+
+impl Lines {
+    /// Takes the room of a field over the width of `ui`. It is the same whatever is to be said.
+    pub fn allocate(ui: &mut Ui) -> Self {
+        let height = height(ui);
+        // What can be pressed in the line of the label or in the line below is for a finger there.
+        let (above, below) = if height >= theme::CONTROL_HEIGHT_TOUCH {
+            (theme::LINE_HEIGHT_TOUCH, theme::LINE_HEIGHT_TOUCH)
+        } else {
+            (theme::LABEL_HEIGHT, theme::NOTE_LINE_HEIGHT)
+        };
+        let whole = above + theme::LABEL_GAP + height + below;
+        let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), whole), Sense::hover());
+        let (label, rest) = rect.split_top_bottom_at_y(rect.top() + above);
+        let (control, note) = rest.split_top_bottom_at_y(rest.top() + theme::LABEL_GAP + height);
+        Self {
+            label,
+            control: control.with_min_y(control.top() + theme::LABEL_GAP),
+            note,
+        }
+    }
+}
+
 impl Field<'_> {
-    /// Draws the field, as high as the controls of `ui`. Returns the line of its label.
+    /// Draws the field. Returns the line of its label.
     pub fn ui(mut self, ui: &mut Ui, commands: &mut Vec<Command>) -> Rect {
         note_line::follow_click(ui, self.id);
-        // Nor is there room kept for a σ that the field does not have.
         self.with_sigma &= self.key.has_sigma;
+        self.leave_in_peace(ui);
         // Also in the frame in which Tab leads out of it: only what is drawn then can get the focus.
         let was_in_use = self.has_focus(ui);
-        ui.vertical(|ui| {
-            ui.spacing_mut().item_spacing.y = 0.0;
-            let label_line = ui.available_rect_before_wrap();
-            let label = label_ui(ui, self.key, self.helper, commands);
-            let label_line = label_line.with_max_y(ui.min_rect().bottom());
-            ui.add_space(theme::STEP);
-            let texts = ui.horizontal(|ui| {
-                ui.spacing_mut().item_spacing.x = FIELD_PARTS_GAP;
-                self.text_ui(ui, &label, commands);
-                let unit = self.unit_ui(ui, commands);
-                if self.with_sigma {
-                    self.sigma_ui(ui, commands);
-                }
-                unit.is_some_and(|unit| unit.has_focus() || unit.lost_focus())
-            });
-            let read_as = self.reading.and_then(report::read_as);
-            NoteLine {
-                id: self.id,
-                hint: read_as.as_deref().unwrap_or(self.key.hint),
-                notes: self.notes(),
-                field: texts.response.rect.with_min_y(label.rect.top()),
-                is_in_use: was_in_use || texts.inner || self.has_focus(ui),
-            }
-            .ui(ui, commands);
-            label_line
-        })
-        .inner
+        let lines = Lines::allocate(ui);
+        let label = label_ui(ui, lines.label, self.key, self.helper, commands);
+        let cells = Cells::of(lines.control, self.has_unit(), self.with_sigma);
+        joined::ground_ui(ui, &cells, self.is_lit(ui));
+        self.text_ui(ui, &cells, &label, commands);
+        let unit = self.unit_ui(ui, &cells, commands);
+        if let Some(sigma) = cells.sigma {
+            self.sigma_ui(ui, sigma, commands);
+        }
+        let is_in_unit = unit.as_ref().is_some_and(Response::has_focus);
+        let color = self.notes.first().map(|note| text::note_color(ui, note.severity));
+        joined::border_ui(ui, &cells, color, self.has_focus(ui) || is_in_unit);
+        let is_narrow = lines.note.width() < theme::NARROW_FIELD_WIDTH;
+        let hint = if is_narrow {
+            report::field_line_in_pair(self.key, self.reading)
+        } else {
+            report::field_line(self.key, self.reading)
+        };
+        NoteLine {
+            id: self.id,
+            hint: &hint,
+            notes: self.notes(),
+            line: lines.note,
+            field: lines.control.with_min_y(lines.label.top()),
+            is_in_use: was_in_use || unit.is_some_and(|unit| unit.has_focus() || unit.lost_focus()) || self.has_focus(ui),
+        }
+        .ui(ui, commands);
+        lines.label
+    }
+
+    /// Says nothing of a number that is still being typed.
+    fn leave_in_peace(&mut self, ui: &Ui) {
+        let is_typed = |id, text: &str| ui.memory(|memory| memory.has_focus(id)) && is_half_typed(text);
+        let (value, sigma) = (is_typed(self.id, &self.entry.text), is_typed(self.sigma_id(), &self.entry.sigma));
+        self.notes.retain(|note| match note.part {
+            Part::Value => !value,
+            Part::Sigma => !sigma,
+        });
     }
 
     /// Whether one of its texts has the focus.
     fn has_focus(&self, ui: &Ui) -> bool {
         ui.memory(|memory| memory.has_focus(self.id) || memory.has_focus(self.sigma_id()))
+    }
+
+    /// Whether its number is pointed at in a formula.
+    fn is_lit(&self, ui: &Ui) -> bool {
+        symbols::lit(ui.ctx()) == Some(self.key)
     }
 
     /// What is to be said, the value first, each with the id of the text that it is about.
@@ -135,30 +190,12 @@ impl Field<'_> {
         self.notes.iter().copied().find(|note| note.part == part)
     }
 
-    fn text_ui(&mut self, ui: &mut Ui, label: &Response, commands: &mut Vec<Command>) {
+    fn text_ui(&mut self, ui: &mut Ui, cells: &Cells, label: &Response, commands: &mut Vec<Command>) {
         if ui.memory(|memory| memory.has_focus(self.id)) {
             self.take_keys(ui, commands);
         }
-        let sigma_width = if self.with_sigma { SIGMA_WIDTH + FIELD_PARTS_GAP } else { 0.0 };
-        let width = ui.available_width() - UNIT_WIDTH - FIELD_PARTS_GAP - sigma_width;
-        let size = vec2(width, ui.spacing().interact_size.y);
-        let color = self.note(Part::Value).map(|note| text::note_color(ui, note.severity));
-        let output = ui
-            .scope(|ui| {
-                border_ui(ui, color);
-                let palette = theme::palette(ui);
-                TextEdit::singleline(&mut self.entry.text)
-                    .id(self.id)
-                    .hint_text(RichText::new(Hint::Example { key: self.key }.to_string()).color(palette.muted))
-                    .align(egui::Align2::RIGHT_CENTER)
-                    .margin(theme::FIELD_MARGIN)
-                    .desired_width(size.x)
-                    .min_size(size)
-                    .return_key(None)
-                    .show(ui)
-            })
-            .inner;
-        let response = output.response.response.labelled_by(label.id);
+        let output = joined::text_ui(ui, cells.value, &mut self.entry.text, (self.id, self.key.example()));
+        let response = output.response.response.clone().labelled_by(label.id);
         ui.accesskit_node_builder(self.id, |node| {
             // egui has only text fields, and a unit may be typed. The role tells assistive technology that it is a number, and opens the
             // number keyboard of a phone; some of these have no minus.
@@ -170,13 +207,12 @@ impl Field<'_> {
                 node.set_numeric_value(reading.number);
             }
         });
-        // As in a browser's form: Tab selects the text, so that typing replaces it.
-        if response.gained_focus() && ui.input(|input| input.key_pressed(Key::Tab)) {
-            let mut state = output.state;
-            let all = CCursorRange::two(CCursor::default(), CCursor::new(self.entry.text.chars().count()));
-            state.cursor.set_char_range(Some(all));
-            state.store(ui.ctx(), self.id);
+        // As in a browser's form: Tab selects the text, so that typing replaces it. A field holds one number: two clicks take all of it.
+        let is_tabbed = response.gained_focus() && ui.input(|input| input.key_pressed(Key::Tab));
+        if is_tabbed || response.double_clicked() {
+            select_all(ui, self.id, output, &self.entry.text);
         }
+        text_menu::ui(&response, &mut self.entry.text, commands);
         if response.lost_focus() {
             self.entry.tidy(self.key);
             commands.push(Command::Settle);
@@ -203,15 +239,21 @@ impl Field<'_> {
         }
     }
 
+    fn has_unit(&self) -> bool {
+        self.key.kind.length_unit().is_some() || !self.key.unit_symbol().is_empty()
+    }
+
     /// Returns the choice of the unit, where there is one.
-    fn unit_ui(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) -> Option<Response> {
+    fn unit_ui(&mut self, ui: &mut Ui, cells: &Cells, commands: &mut Vec<Command>) -> Option<Response> {
+        let cell = cells.unit?;
         let Some(mut unit) = self.typed_unit() else {
-            self.fixed_unit_ui(ui);
+            self.fixed_unit_ui(ui, cell);
             return None;
         };
         let before = unit;
         let name = format!("Unit of {}", self.key.name);
-        let choice = typed_unit_choice_ui(ui, (self.id, "unit"), &name, &mut unit, UNIT_WIDTH);
+        let mut inside = joined::choice_cell(ui, cell);
+        let choice = typed_unit_choice_ui(&mut inside, (self.id, "unit"), &name, &mut unit, cell.width());
         if unit != before {
             match unit {
                 TypedUnit::Length(unit) => self.entry.choose_unit(self.key, unit),
@@ -238,67 +280,50 @@ impl Field<'_> {
         Some(TypedUnit::Length(length.unwrap_or(default)))
     }
 
-    /// The unit of a field without a choice, where it has one.
-    fn fixed_unit_ui(&self, ui: &mut Ui) {
-        let palette = theme::palette(ui);
-        let size = vec2(UNIT_WIDTH, ui.spacing().interact_size.y);
-        let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
-        let symbol = self.key.unit_symbol();
+    /// The unit of a field without a choice: no more than a word.
+    fn fixed_unit_ui(&self, ui: &Ui, cell: Rect) {
         // Another unit stands behind the number.
         let is_another = self.reading.is_some_and(|reading| reading.unit != self.key.kind.default_unit());
-        if symbol.is_empty() || is_another {
+        if is_another {
             return;
         }
-        let stroke = Stroke::new(theme::THIN_LINE, palette.line);
-        ui.painter()
-            .rect_stroke(rect, theme::CONTROL_RADIUS, stroke, egui::StrokeKind::Inside);
-        let at = rect.left_center() + vec2(theme::UNIT_INDENT, 0.0);
+        let at = cell.left_center() + vec2(joined::indent(cell), 0.0);
         let font = theme::regular(theme::BODY_SIZE);
-        ui.painter().text(at, egui::Align2::LEFT_CENTER, symbol, font, palette.muted);
+        let color = theme::palette(ui).muted;
+        ui.painter()
+            .text(at, egui::Align2::LEFT_CENTER, self.key.unit_symbol(), font, color);
     }
 
-    fn sigma_ui(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
-        let palette = theme::palette(ui);
-        let size = vec2(SIGMA_WIDTH, ui.spacing().interact_size.y);
+    fn sigma_ui(&mut self, ui: &mut Ui, cell: Rect, commands: &mut Vec<Command>) {
         let id = self.sigma_id();
         let takes_enter = self.submits && ui.memory(|memory| memory.has_focus(id));
         if takes_enter && ui.input_mut(|input| Command::Calculate.take_keys(input, &[Scope::Field])) {
             commands.push(Command::Calculate);
         }
-        let color = self.note(Part::Sigma).map(|note| text::note_color(ui, note.severity));
-        let response = ui
-            .scope(|ui| {
-                border_ui(ui, color);
-                // Not `Role::NumberInput`: the number keyboard of most phones has no "%".
-                TextEdit::singleline(&mut self.entry.sigma)
-                    .id(id)
-                    .prefix(RichText::new("±").color(palette.muted))
-                    .hint_text(RichText::new("none").color(palette.muted))
-                    .align(egui::Align2::RIGHT_CENTER)
-                    .margin(theme::SIGMA_MARGIN)
-                    .desired_width(size.x)
-                    .min_size(size)
-                    .return_key(None)
-                    .show(ui)
-            })
-            .inner
+        joined::plus_minus_ui(ui, cell);
+        // Not `Role::NumberInput`: the number keyboard of most phones has no "%".
+        let output = joined::text_ui(ui, cell, &mut self.entry.sigma, (id, self.key.sigma_example));
+        let response = output
             .response
             .response
+            .clone()
             .accessible_name(format!("Uncertainty of {}", self.key.name));
         ui.accesskit_node_builder(id, |node| {
             node.set_description(Hint::Sigma.to_string());
         });
+        if response.double_clicked() {
+            select_all(ui, id, output, &self.entry.sigma);
+        }
+        text_menu::ui(&response, &mut self.entry.sigma, commands);
         if response.lost_focus() {
             commands.push(Command::Settle);
         }
     }
 }
 
-/// Gives the next field in `ui` the border of what is wrong with it.
-fn border_ui(ui: &mut Ui, color: Option<egui::Color32>) {
-    if let Some(color) = color {
-        let widgets = &mut ui.visuals_mut().widgets;
-        widgets.inactive.bg_stroke = Stroke::new(theme::STRONG_LINE, color);
-        widgets.hovered.bg_stroke = Stroke::new(theme::STRONG_LINE, color);
-    }
+fn select_all(ui: &Ui, id: Id, output: TextEditOutput, text: &str) {
+    let mut state = output.state;
+    let all = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));
+    state.cursor.set_char_range(Some(all));
+    state.store(ui.ctx(), id);
 }

@@ -2,13 +2,19 @@
 
 pub mod bottom_bar;
 pub mod cards;
+pub mod chart;
 pub mod choice;
 pub mod field;
+pub mod figure;
+pub mod joined;
+pub mod menu;
 mod note_line;
 pub mod picture;
-pub mod plot;
 pub mod progress;
 pub mod scroll;
+pub mod segments;
+pub mod symbols;
 pub mod table;
 pub mod text;
+mod text_menu;
 pub mod unit_choice;

@@ -4,9 +4,10 @@
 use super::text;
 use crate::app::command::Command;
 use crate::app::theme;
-use depth_text::note::{Fix, Note};
+use depth_text::note::{Fix, Note, Severity};
 use egui::{
-    Align, Area, Button, Color32, Galley, Id, Label, Layout, Order, Rect, Response, RichText, Sense, Stroke, Ui, UiBuilder, Vec2, vec2,
+    Align, Area, Button, Color32, Galley, Id, Label, Layout, Order, Rect, Response, RichText, Sense, Shape, Stroke, Ui, UiBuilder, Vec2,
+    vec2,
 };
 use std::sync::Arc;
 use std::time::Duration;
@@ -19,6 +20,8 @@ pub struct NoteLine<'a> {
     pub hint: &'a str,
     /// What is to be said, each with the id of the text that it is about. The first stands in the line.
     pub notes: Vec<(&'a Note, Id)>,
+    /// The line.
+    pub line: Rect,
     /// Where the label and the texts of the field are.
     pub field: Rect,
     /// Whether one of its texts or its unit has the focus.
@@ -38,7 +41,7 @@ struct Open {
 impl NoteLine<'_> {
     /// Draws the line, and the card if it is open.
     pub fn ui(&self, ui: &mut Ui, commands: &mut Vec<Command>) {
-        let (line, _) = ui.allocate_exact_size(vec2(ui.available_width(), line_height(ui)), Sense::hover());
+        let line = self.line;
         match self.notes.first() {
             Some(&(note, _)) => self.notes_ui(ui, line, note, commands),
             None if self.hint.is_empty() => {}
@@ -59,17 +62,17 @@ impl NoteLine<'_> {
     fn notes_ui(&self, ui: &mut Ui, line: Rect, first: &Note, commands: &mut Vec<Command>) {
         let before: Option<Open> = ui.data(|data| data.get_temp(self.key()));
         let inline = inline_fix(ui, first, line);
+        mark_ui(ui, line, first);
+        let line = line.with_min_x(line.left() + theme::NOTE_MARK_WIDTH);
         let (text_rect, fix_rect) = line.split_left_right_at_x(line.right() - inline.as_ref().map_or(0.0, |(_, width)| *width));
-        let words = one_line(
-            ui,
-            &text::note(&first.message()),
-            text::note_color(ui, first.severity),
-            text_rect.width(),
-        );
-        let is_cut = words.elided;
+        let words = one_line(ui, &first.headline(), text::note_color(ui, first.severity), text_rect.width());
+        let is_cut = words.elided || first.headline() != first.message();
         for (index, (note, about)) in self.notes.iter().enumerate() {
             let said = if index == 0 {
-                self.label_ui(ui, "note", text_rect, Arc::clone(&words))
+                let said = self.label_ui(ui, "note", text_rect, Arc::clone(&words));
+                // Whoever does not see it gets all of it.
+                ui.accesskit_node_builder(said.id, |node| node.set_value(note.message()));
+                said
             } else {
                 self.unseen_ui(ui, line, note)
             };
@@ -92,7 +95,7 @@ impl NoteLine<'_> {
             fixes: if inline.is_some() { Vec::new() } else { self.fixes() },
             color: text::note_color(ui, first.severity),
             field: self.field,
-            line,
+            line: self.line,
         };
         if !card.is_empty() && ui.rect_contains_pointer(text_rect) && ui.input(|input| input.pointer.primary_clicked()) {
             // As a click on a label does on a page.
@@ -136,7 +139,7 @@ impl NoteLine<'_> {
 
     /// A note that the line has no room for, where only assistive technology finds it.
     fn unseen_ui(&self, ui: &mut Ui, line: Rect, note: &Note) -> Response {
-        let words = one_line(ui, &text::note(&note.message()), theme::palette(ui).text, line.width());
+        let words = one_line(ui, &note.message(), theme::palette(ui).text, line.width());
         let place = UiBuilder::new().scope_id(self.id.with("unseen note")).max_rect(line);
         let mut ui = ui.new_child(place);
         ui.set_clip_rect(Rect::NOTHING);
@@ -277,6 +280,20 @@ impl Card<'_> {
         Measures { texts, texts_height, card }
     }
 
+    /// The corner of the card that points at the field.
+    fn tail_ui(&self, ui: &Ui, card: Rect, border: Stroke) {
+        let is_below = card.top() >= self.line.center().y;
+        let (edge, up) = if is_below { (card.top(), -1.0) } else { (card.bottom(), 1.0) };
+        let tip = egui::pos2(card.right() - theme::NOTE_TAIL_INSET, edge + up * theme::NOTE_TAIL);
+        let feet = [-theme::NOTE_TAIL, theme::NOTE_TAIL].map(|x| egui::pos2(tip.x + x, edge - up * border.width));
+        let surface = theme::palette(ui).surface;
+        let [left, right] = feet;
+        ui.painter()
+            .add(Shape::convex_polygon(vec![left, tip, right], surface, Stroke::NONE));
+        let raised = vec2(0.0, up * border.width / 2.0);
+        ui.painter().line(vec![left + raised, tip, right + raised], border);
+    }
+
     fn paint(&self, ui: &Ui, measures: &Measures) {
         let palette = theme::palette(ui);
         let shadow = ui.visuals().popup_shadow.as_shape(measures.card, theme::CONTROL_RADIUS);
@@ -289,6 +306,7 @@ impl Card<'_> {
             border,
             egui::StrokeKind::Inside,
         );
+        self.tail_ui(ui, measures.card, border);
         let mut at = (measures.card - theme::NOTE_CARD_MARGIN).min;
         for text in &measures.texts {
             ui.painter().galley(at, Arc::clone(text), palette.text);
@@ -321,12 +339,23 @@ fn is_for_fingers(ui: &Ui) -> bool {
     ui.spacing().interact_size.y >= theme::CONTROL_HEIGHT_TOUCH
 }
 
-fn line_height(ui: &Ui) -> f32 {
-    if is_for_fingers(ui) {
-        theme::NOTE_LINE_HEIGHT_TOUCH
-    } else {
-        theme::NOTE_LINE_HEIGHT
+/// The mark before a note: a disk for an error, a triangle for a warning, so that not the color alone tells them apart.
+fn mark_ui(ui: &Ui, line: Rect, note: &Note) {
+    let color = text::note_color(ui, note.severity);
+    let center = line.left_center() + vec2(theme::NOTE_MARK_RADIUS, 0.0);
+    let radius = theme::NOTE_MARK_RADIUS;
+    match note.severity {
+        Severity::Error => _ = ui.painter().circle_filled(center, radius, color),
+        Severity::Warning => {
+            let corners = [vec2(0.0, -radius), vec2(radius, radius * 0.8), vec2(-radius, radius * 0.8)];
+            let triangle = corners.map(|corner| center + corner).to_vec();
+            ui.painter().add(Shape::convex_polygon(triangle, color, Stroke::NONE));
+        }
     }
+    let font = theme::strong(theme::NOTE_MARK_SIZE);
+    let at = center + vec2(0.0, if note.severity == Severity::Warning { 1.0 } else { 0.0 });
+    ui.painter()
+        .text(at, egui::Align2::CENTER_CENTER, "!", font, theme::palette(ui).surface);
 }
 
 /// The height of a correction on the card.

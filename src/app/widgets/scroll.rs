@@ -6,7 +6,12 @@ use egui::{Id, ScrollArea, Ui};
 /// A column that scrolls. The focused widget is scrolled into view when it gets the focus, and when the column becomes lower, as when
 /// the keyboard of a phone opens: egui does neither by itself.
 pub fn column_ui(ui: &mut Ui, id: &str, add_contents: impl FnOnce(&mut Ui)) {
+    // The room for the bar is there whether there is a bar or not: it is between the columns.
+    let width = ui.available_width();
+    ui.set_max_width(width + theme::SCROLL_GUTTER);
     ScrollArea::vertical().id_salt(id).auto_shrink([false, false]).show(ui, |ui| {
+        ui.set_max_width(width);
+        ui.add_space(theme::SCREEN_TOP);
         add_contents(ui);
         reveal_focus(ui);
     });
@@ -28,7 +33,8 @@ struct Before {
 }
 
 fn reveal_focus(ui: &Ui) {
-    let visible = ui.clip_rect().y_range();
+    let shown = ui.clip_rect();
+    let visible = shown.y_range();
     let now = Before {
         focused: ui.memory(|memory| memory.focused()),
         height: visible.span(),
@@ -41,7 +47,10 @@ fn reveal_focus(ui: &Ui) {
     let Some(response) = now.focused.and_then(|id| ui.ctx().read_response(id)) else {
         return;
     };
-    let is_inside = response.layer_id == ui.layer_id() && ui.min_rect().contains(response.rect.center());
+    // What has scrolled out at the top lies where the navigation is: that is seen, and what has scrolled out is not.
+    let seen = response.interact_rect;
+    let is_elsewhere = seen.is_positive() && !shown.contains_rect(seen);
+    let is_inside = response.layer_id == ui.layer_id() && ui.min_rect().contains(response.rect.center()) && !is_elsewhere;
     let rect = response.rect.expand(theme::FOCUS_SCROLL_MARGIN);
     if is_inside && !(visible.contains(rect.top()) && visible.contains(rect.bottom())) {
         ui.scroll_to_rect(rect, None);

@@ -25,6 +25,42 @@ pub fn table_ui(ui: &mut Ui, name: &str, add_rows: impl FnOnce(&mut Ui)) {
     });
 }
 
+/// A cell at its place in a row.
+pub struct Placed {
+    /// Its text.
+    pub text: LayoutJob,
+    /// `Role::Cell`, `Role::RowHeader` or `Role::ColumnHeader`.
+    pub role: Role,
+    /// From the left edge of the row to its text.
+    pub left: f32,
+    /// What is shown while the pointer rests on it; may be empty.
+    pub tooltip: String,
+    /// What assistive technology reads instead, where the text is shortened.
+    pub said: Option<String>,
+}
+
+/// A row `height` high of cells at their places, over a line of this color.
+pub fn placed_row_ui(ui: &mut Ui, height: f32, cells: Vec<Placed>, line: egui::Color32) {
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
+    let mut row = ui.new_child(UiBuilder::new().accessibility_role(Role::Row).max_rect(rect));
+    for cell in cells {
+        let galley = ui.painter().layout_job(cell.text);
+        let top = rect.center().y - galley.size().y / 2.0;
+        let place = Rect::from_min_size(pos2(rect.left() + cell.left, top), galley.size());
+        let label = row
+            .new_child(UiBuilder::new().accessibility_role(cell.role).max_rect(place))
+            .add(Label::new(galley));
+        if let Some(said) = cell.said {
+            ui.accesskit_node_builder(label.id, |node| node.set_value(said));
+        }
+        if !cell.tooltip.is_empty() {
+            label.on_hover_text(cell.tooltip);
+        }
+    }
+    ui.painter()
+        .hline(rect.x_range(), rect.bottom(), Stroke::new(theme::THIN_LINE, line));
+}
+
 /// A row of `cells`, each with its share of the width, over a thin line.
 pub fn row_ui(ui: &mut Ui, cells: Vec<Cell>, shares: &[f32]) {
     let palette = theme::palette(ui);

@@ -1,8 +1,10 @@
 //! Headings, captions, notes and badges, with their accessible roles.
 
-use crate::app::theme::{self, Palette};
+use super::symbols;
+use crate::app::theme;
 use depth_text::note::Severity;
 use egui::accesskit::{Invalid, Live, Role};
+use egui::text::TextFormat;
 use egui::{FontId, Id, Response, RichText, Ui};
 
 /// A heading of `level` 1 to 6.
@@ -18,14 +20,27 @@ pub fn heading_ui(ui: &mut Ui, text: &str, level: usize, font: FontId, color: eg
 
 /// The heading of a card.
 pub fn card_heading_ui(ui: &mut Ui, text: &str) -> Response {
-    let muted = theme::palette(ui).muted;
-    heading_ui(ui, text, 2, theme::strong(theme::CARD_HEADING_SIZE), muted)
+    let color = theme::palette(ui).text;
+    heading_ui(ui, text, 2, theme::strong(theme::CARD_HEADING_SIZE), color)
 }
 
 /// A caption: small and muted.
 pub fn caption_ui(ui: &mut Ui, text: impl Into<String>) -> Response {
     let muted = theme::palette(ui).muted;
     ui.label(RichText::new(text).size(theme::SMALL_SIZE).color(muted))
+}
+
+/// A paragraph of small text.
+pub fn paragraph_ui(ui: &mut Ui, text: &str) -> Response {
+    let muted = theme::palette(ui).muted;
+    let format = TextFormat {
+        line_height: Some(theme::PARAGRAPH_LINE),
+        ..TextFormat::simple(theme::regular(theme::LINK_SIZE), muted)
+    };
+    let palette = theme::palette(ui);
+    let response = ui.label(symbols::job(palette, text, &format, false));
+    symbols::say(ui, &response, text);
+    response
 }
 
 /// Makes `response` a polite live region: a screen reader announces it when its text changes.
@@ -66,6 +81,33 @@ pub fn describe_by_note(ui: &Ui, said: &Response, severity: Severity, about: Id)
     });
 }
 
+/// A link in the text of the form, with a target `height` high.
+pub fn link_ui(ui: &mut Ui, name: &str, height: f32) -> Response {
+    link_of_size(ui, name, theme::LINK_SIZE, height)
+}
+
+/// A link at the end of a label, quieter than that; `height` is that of the line.
+pub fn quiet_link_ui(ui: &mut Ui, name: &str, height: f32) -> Response {
+    link_of_size(ui, name, theme::SMALL_SIZE, height)
+}
+
+fn link_of_size(ui: &mut Ui, name: &str, size: f32, height: f32) -> Response {
+    let blue = theme::palette(ui).blue;
+    ui.scope(|ui| {
+        ui.spacing_mut().button_padding = egui::Vec2::ZERO;
+        ui.spacing_mut().interact_size.y = height;
+        let link = egui::Button::new(RichText::new(name).size(size).color(blue)).frame(false);
+        let response = ui.add(link.min_size(egui::vec2(0.0, height)));
+        if response.hovered() {
+            let line = response.rect.center().y + 0.55 * size;
+            ui.painter()
+                .hline(response.rect.x_range(), line, egui::Stroke::new(theme::THIN_LINE, blue));
+        }
+        response.on_hover_cursor(egui::CursorIcon::PointingHand)
+    })
+    .inner
+}
+
 /// A button that looks like a link, for secondary actions.
 pub fn link_button_ui(ui: &mut Ui, name: &str, layout: theme::Layout) -> Response {
     let blue = theme::palette(ui).blue;
@@ -73,22 +115,15 @@ pub fn link_button_ui(ui: &mut Ui, name: &str, layout: theme::Layout) -> Respons
     ui.add(link.min_size(egui::vec2(0.0, layout.inline_control_height())))
 }
 
-/// A small rounded label in the color of a method.
+/// A small rounded label.
 pub fn badge_ui(ui: &mut Ui, text: &str, front: egui::Color32, back: egui::Color32) -> Response {
-    egui::Frame::new()
-        .fill(back)
-        .corner_radius(theme::BADGE_RADIUS)
-        .inner_margin(theme::BADGE_MARGIN)
-        .show(ui, |ui| {
-            ui.label(RichText::new(text).font(theme::strong(theme::SMALL_SIZE)).color(front))
-        })
-        .inner
-}
-
-/// The text and background color of a method's badge.
-pub const fn badge_colors(palette: &Palette, method: crate::core::problem::Method) -> (egui::Color32, egui::Color32) {
-    match method {
-        crate::core::problem::Method::Stereo => (palette.blue, palette.blue_tint),
-        crate::core::problem::Method::Monocular => (palette.orange_text, palette.orange_tint),
-    }
+    let galley = ui
+        .painter()
+        .layout_no_wrap(text.to_owned(), theme::strong(theme::SMALL_SIZE), front);
+    let size = egui::vec2(galley.size().x + 2.0 * theme::BADGE_PADDING, theme::BADGE_HEIGHT);
+    let (rect, response) = ui.allocate_exact_size(size, egui::Sense::hover());
+    ui.painter().rect_filled(rect, theme::BADGE_HEIGHT / 2.0, back);
+    ui.painter().galley(rect.center() - galley.size() / 2.0, galley, front);
+    response.widget_info(|| egui::WidgetInfo::labeled(Role::Label, true, text));
+    response
 }

@@ -45,7 +45,9 @@ impl TypedUnit {
 /// A choice among the units of results, named `name`.
 pub fn length_unit_choice_ui(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::Debug, name: &str, unit: &mut LengthUnit, width: f32) {
     let mut chosen = TypedUnit::Length(*unit);
-    let combo = ComboBox::from_id_salt(id).width(width);
+    let combo = ComboBox::from_id_salt(id)
+        .width(width)
+        .selected_text(format!("in {}", unit.symbol()));
     choice_ui(ui, combo, name, &mut chosen, OFFERED.into_iter().map(TypedUnit::Length));
     if let TypedUnit::Length(length) = chosen {
         *unit = length;
@@ -60,14 +62,14 @@ pub fn typed_unit_choice_ui(
     unit: &mut TypedUnit,
     width: f32,
 ) -> Response {
-    let combo = ComboBox::from_id_salt(id).width(width);
+    let combo = ComboBox::from_id_salt(id).width(width).selected_text(unit.symbol());
     let units = OFFERED.into_iter().map(TypedUnit::Length);
     choice_ui(ui, combo, name, unit, units.chain([TypedUnit::Squares]))
 }
 
 fn choice_ui(ui: &mut Ui, combo: ComboBox, name: &str, unit: &mut TypedUnit, choices: impl Iterator<Item = TypedUnit>) -> Response {
     combo
-        .selected_text(unit.symbol())
+        .wrap_mode(egui::TextWrapMode::Extend)
         .show_ui(ui, |ui| {
             for choice in choices {
                 // Closed explicitly: egui does so only for a click of the pointer.

@@ -2,12 +2,14 @@
 
 #[cfg(all(windows, not(debug_assertions)))]
 mod console;
+mod date;
 mod failure;
+mod files;
 mod placement;
 mod sentences;
 mod state;
 
-use crate::app::{App, Event, Licenses, Place, Platform, PlatformError};
+use crate::app::{App, Event, FileContents, Licenses, Place, Platform, PlatformError};
 use placement::{Kept, PlacedApp};
 use state::State;
 use std::process::ExitCode;
@@ -109,6 +111,25 @@ impl Platform for Desktop {
         ctx.copy_text(text);
         self.events.push(Event::Copied(Ok(())));
         ctx.request_repaint();
+    }
+
+    fn save_file(&mut self, ctx: &egui::Context, name: &str, contents: FileContents) {
+        let saved = files::folder().and_then(|folder| files::save(&folder, name, &contents));
+        self.events.push(Event::Saved(saved.map(Place::File)));
+        ctx.request_repaint();
+    }
+
+    fn print(&mut self) -> bool {
+        // A window has no paper of its own: what it saves, a browser prints.
+        false
+    }
+
+    fn today(&self) -> String {
+        date::today()
+    }
+
+    fn address(&self) -> String {
+        env!("CARGO_PKG_HOMEPAGE").to_owned()
     }
 
     fn events(&mut self) -> Vec<Event> {

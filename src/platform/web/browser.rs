@@ -4,38 +4,13 @@
 //! tab starts with the state that was stored last, which is in local storage; one that the browser makes by copying a tab starts with
 //! that tab's.
 
-use std::cell::RefCell;
-use std::rc::Rc;
+use super::inbox::{Inbox, sentence};
+use wasm_bindgen::JsValue;
 
-use wasm_bindgen::{JsCast as _, JsValue};
-
-use crate::app::{Event, Licenses, Place, Platform, PlatformError, SystemColors};
+use crate::app::{Event, FileContents, Licenses, Place, Platform, PlatformError};
 
 /// The key in both storages. The number is the version of the format; one origin may serve several programs.
 const STORAGE_KEY: &str = "depth-calculator/v1";
-
-/// The events that the program has not handled yet. Clones share one list, as each listener of the browser has a clone of its own.
-#[derive(Clone)]
-pub(super) struct Inbox {
-    events: Rc<RefCell<Vec<Event>>>,
-    ctx: egui::Context,
-}
-
-impl Inbox {
-    /// An empty inbox, which requests a repaint of `ctx` for each event.
-    pub(super) fn new(ctx: &egui::Context) -> Self {
-        Self {
-            events: Rc::default(),
-            ctx: ctx.clone(),
-        }
-    }
-
-    /// Adds `event` and requests a repaint.
-    pub(super) fn add(&self, event: Event) {
-        self.events.borrow_mut().push(event);
-        self.ctx.request_repaint();
-    }
-}
 
 /// Stores in the browser and copies to the clipboard.
 pub(super) struct Browser {
@@ -99,8 +74,56 @@ impl Platform for Browser {
         });
     }
 
+    fn paste(&self, _ctx: &egui::Context) {
+        let clipboard = match clipboard() {
+            Ok(clipboard) => clipboard,
+            Err(error) => {
+                self.inbox.add(Event::Pasted(Err(error)));
+                return;
+            }
+        };
+        // The same as for copying. Some browsers know how to write, but not how to read.
+        let can_read = js_sys::Reflect::has(&clipboard, &"readText".into()).unwrap_or(false);
+        let promise = can_read.then(|| clipboard.read_text());
+        let inbox = self.inbox.clone();
+        wasm_bindgen_futures::spawn_local(async move {
+            let refused = |error: &JsValue| PlatformError::PasteDenied { reason: sentence(error) };
+            inbox.add(Event::Pasted(match promise {
+                Some(promise) => match wasm_bindgen_futures::JsFuture::from(promise).await {
+                    Ok(text) => Ok(text.as_string().unwrap_or_default()),
+                    Err(error) => Err(refused(&error)),
+                },
+                None => Err(refused(&"It lets no page read the clipboard.".into())),
+            }));
+        });
+    }
+
+    fn save_file(&mut self, _ctx: &egui::Context, name: &str, contents: FileContents) {
+        super::files::save(&self.inbox, name, contents);
+    }
+
+    fn print(&mut self) -> bool {
+        super::printing::print();
+        true
+    }
+
+    fn today(&self) -> String {
+        today()
+    }
+
+    fn address(&self) -> String {
+        let address = web_sys::window()
+            .and_then(|window| window.location().href().ok())
+            .unwrap_or_default();
+        address.split('#').next().unwrap_or_default().to_owned()
+    }
+
+    fn has_touch(&self) -> bool {
+        super::page::matches("(pointer: coarse)")
+    }
+
     fn events(&mut self) -> Vec<Event> {
-        self.inbox.events.take()
+        self.inbox.take()
     }
 
     fn seconds(&self) -> f64 {
@@ -185,46 +208,12 @@ fn clipboard() -> Result<web_sys::Clipboard, PlatformError> {
     Ok(clipboard)
 }
 
-/// The part behind the `#` of the page's address, once.
-pub(super) fn link() -> Option<String> {
-    let location = web_sys::window()?.location();
-    let fragment = location.hash().ok()?;
-    if fragment.is_empty() {
-        return None;
+/// The date where the person is, in the language of the program.
+fn today() -> String {
+    let options = js_sys::Object::new();
+    for (part, form) in [("year", "numeric"), ("month", "long"), ("day", "numeric")] {
+        // Setting what an object has not fails nowhere.
+        js_sys::Reflect::set(&options, &part.into(), &form.into()).ok();
     }
-    // Removed from the address, so that a reload does not apply it again; `replace` adds no entry to the history.
-    location.replace("#").ok()?;
-    Some(fragment)
-}
-
-/// The system colors, where the browser uses forced colors; read from the computed style of a temporary element.
-pub(super) fn system_colors() -> Option<SystemColors> {
-    if !super::page::matches("(forced-colors: active)") {
-        return None;
-    }
-    let window = web_sys::window()?;
-    let document = window.document()?;
-    let probe: web_sys::HtmlElement = document.create_element("span").ok()?.dyn_into().ok()?;
-    document.body()?.append_child(&probe).ok()?;
-    let color = |name: &str| {
-        // With `forced-color-adjust: auto` the computed color would be that of the text.
-        probe.style().set_css_text(&format!("forced-color-adjust:none;color:{name}"));
-        let style = window.get_computed_style(&probe).ok()??;
-        style.get_property_value("color").ok()
-    };
-    let colors = SystemColors::from_css(color);
-    probe.remove();
-    colors
-}
-
-/// The message of an exception of the browser, with a full stop.
-pub(super) fn sentence(error: &JsValue) -> String {
-    let mut text = match error.dyn_ref::<js_sys::Error>() {
-        Some(error) => String::from(error.message()),
-        None => error.as_string().unwrap_or_else(|| format!("{error:?}")),
-    };
-    if !text.ends_with(['.', '!', '?']) {
-        text.push('.');
-    }
-    text
+    js_sys::Date::new_0().to_locale_date_string("en-US", &options).into()
 }

@@ -2,7 +2,8 @@
 //!
 //! Browsers say that a page is hidden or left (`visibilitychange`, `pagehide`), and may never give it a frame again. What was typed since
 //! the last frame waits in two places: with eframe, which gives it to nobody, and in the accessible mirror. So eframe is made to run a
-//! frame at once. It does so whenever a pointer is pressed on the canvas: a press is made up, and taken out again before egui sees it.
+//! frame at once ([`run_frame`]). It does so whenever a pointer is pressed on the canvas: a press is made up, and taken out again before
+//! egui sees it.
 
 use egui::{Event, PointerButton, RawInput, ViewportId};
 
@@ -42,10 +43,10 @@ impl eframe::App for PageApp {
     }
 
     fn raw_input_hook(&mut self, ctx: &egui::Context, input: &mut RawInput) {
+        input.events.retain(|event| !is_made_up(event));
         let viewport = input.viewports.entry(ViewportId::ROOT).or_default();
         if self.is_leaving {
             viewport.occluded = Some(false);
-            input.events.retain(|event| !is_made_up(event));
         } else if viewport.occluded == Some(true) {
             // Without a frame the events stay where they are.
             return;
@@ -90,8 +91,17 @@ pub(super) fn listen(runner: &eframe::WebRunner, ctx: &egui::Context, canvas: &w
     on(&window, "pagehide", move |_| keep());
 }
 
+/// Has eframe run a frame now, without painting it.
+pub(super) fn run_frame(canvas: &web_sys::HtmlCanvasElement) {
+    let press = web_sys::PointerEventInit::new();
+    press.set_button(BUTTON.0);
+    if let Ok(press) = web_sys::PointerEvent::new_with_event_init_dict("pointerdown", &press) {
+        canvas.dispatch_event(&press).ok();
+    }
+}
+
 /// Runs a frame for what was typed since the last, and saves. There is no program before the first frame and after a failure.
-fn keep(runner: &eframe::WebRunner, ctx: &egui::Context, canvas: &web_sys::HtmlCanvasElement) {
+pub(super) fn keep(runner: &eframe::WebRunner, ctx: &egui::Context, canvas: &web_sys::HtmlCanvasElement) {
     let set_leaving = |is_leaving| {
         let page = runner.app_mut::<PageApp>();
         page.map(|mut page| page.is_leaving = is_leaving).is_some()
@@ -99,11 +109,7 @@ fn keep(runner: &eframe::WebRunner, ctx: &egui::Context, canvas: &web_sys::HtmlC
     if !set_leaving(true) {
         return;
     }
-    let press = web_sys::PointerEventInit::new();
-    press.set_button(BUTTON.0);
-    if let Ok(press) = web_sys::PointerEvent::new_with_event_init_dict("pointerdown", &press) {
-        canvas.dispatch_event(&press).ok();
-    }
+    run_frame(canvas);
     set_leaving(false);
     if let Some(mut page) = runner.app_mut::<PageApp>() {
         page.app.finish(ctx);

@@ -3,9 +3,9 @@
 use wasm_bindgen::JsCast as _;
 use wasm_bindgen::closure::Closure;
 
-use super::browser::{self, Inbox};
+use super::inbox::Inbox;
 use super::page;
-use crate::app::Event;
+use crate::app::{Event, SystemColors};
 
 /// Adds the events of the browser to `inbox`, and at once the link with which the page was opened and the forced colors.
 pub(super) fn listen(ctx: &egui::Context, inbox: &Inbox) {
@@ -20,7 +20,7 @@ fn listen_to_links(window: &web_sys::Window, inbox: &Inbox) {
     let add = {
         let inbox = inbox.clone();
         move || {
-            if let Some(fragment) = browser::link() {
+            if let Some(fragment) = link() {
                 inbox.add(Event::Link(fragment));
             }
         }
@@ -30,12 +30,12 @@ fn listen_to_links(window: &web_sys::Window, inbox: &Inbox) {
 }
 
 fn listen_to_colors(window: &web_sys::Window, inbox: &Inbox) {
-    inbox.add(Event::Colors(browser::system_colors()));
+    inbox.add(Event::Colors(system_colors()));
     // Other forced colors can be dark or light as well, and some browsers send only that event.
     for query in ["(forced-colors: active)", "(prefers-color-scheme: dark)"] {
         if let Ok(Some(query)) = window.match_media(query) {
             let inbox = inbox.clone();
-            on(&query, "change", move |_| inbox.add(Event::Colors(browser::system_colors())));
+            on(&query, "change", move |_| inbox.add(Event::Colors(system_colors())));
         }
     }
 }
@@ -61,14 +61,52 @@ fn follow_reduced_motion(window: &web_sys::Window, ctx: &egui::Context) {
     }
 }
 
+/// Calls `act` for each `event` below `target` before anybody below hears of it.
+pub(super) fn on_its_way(target: &web_sys::EventTarget, event: &str, act: impl FnMut(web_sys::Event) + 'static) {
+    add_listener(target, event, true, Closure::new(act));
+}
+
 /// Calls `act` for each `event` of `target`.
 pub(super) fn on(target: &web_sys::EventTarget, event: &str, act: impl FnMut(web_sys::Event) + 'static) {
-    let listener = Closure::<dyn FnMut(web_sys::Event)>::new(act);
-    if target
-        .add_event_listener_with_callback(event, listener.as_ref().unchecked_ref())
-        .is_err()
-    {
+    add_listener(target, event, false, Closure::new(act));
+}
+
+fn add_listener(target: &web_sys::EventTarget, event: &str, before: bool, listener: Closure<dyn FnMut(web_sys::Event)>) {
+    let function = listener.as_ref().unchecked_ref();
+    if target.add_event_listener_with_callback_and_bool(event, function, before).is_err() {
         log::warn!("The page cannot listen to {event}.");
     }
     listener.forget();
+}
+
+/// The part behind the `#` of the page's address, once.
+fn link() -> Option<String> {
+    let location = web_sys::window()?.location();
+    let fragment = location.hash().ok()?;
+    if fragment.is_empty() {
+        return None;
+    }
+    // Removed from the address, so that a reload does not apply it again; `replace` adds no entry to the history.
+    location.replace("#").ok()?;
+    Some(fragment)
+}
+
+/// The system colors, where the browser uses forced colors; read from the computed style of a temporary element.
+fn system_colors() -> Option<SystemColors> {
+    if !page::matches("(forced-colors: active)") {
+        return None;
+    }
+    let window = web_sys::window()?;
+    let document = window.document()?;
+    let probe: web_sys::HtmlElement = document.create_element("span").ok()?.dyn_into().ok()?;
+    document.body()?.append_child(&probe).ok()?;
+    let color = |name: &str| {
+        // With `forced-color-adjust: auto` the computed color would be that of the text.
+        probe.style().set_css_text(&format!("forced-color-adjust:none;color:{name}"));
+        let style = window.get_computed_style(&probe).ok()??;
+        style.get_property_value("color").ok()
+    };
+    let colors = SystemColors::from_css(color);
+    probe.remove();
+    colors
 }

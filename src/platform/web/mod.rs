@@ -3,16 +3,21 @@
 //! Before this runs, `assets/web/start.js` has checked the browser and fetched the program.
 
 mod browser;
+mod files;
+mod inbox;
 mod leaving;
 mod listeners;
 mod page;
+mod printing;
+mod touch;
 
 use std::rc::Rc;
 
 use wasm_bindgen::JsCast as _;
 
 use crate::app::{App, Copyable, PageFailure};
-use browser::{Browser, Inbox};
+use browser::Browser;
+use inbox::Inbox;
 use leaving::PageApp;
 
 /// Starts the program on `<canvas id="app">` and returns at once; the browser calls it from then on.
@@ -38,7 +43,7 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
         .ok_or("The page has no element with the id \"app\".")?
         .dyn_into::<web_sys::HtmlCanvasElement>()
         .map_err(|_element| "The element with the id \"app\" is not a canvas.")?;
-    let (mirrored, running) = (canvas.clone(), runner.clone());
+    let (mirrored, running, touched) = (canvas.clone(), runner.clone(), canvas.clone());
     runner
         .start(
             canvas,
@@ -52,16 +57,21 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
                     ..egui_mirror::Options::default()
                 };
                 if let Err(error) = egui_mirror::Mirror::install_with(&creation.egui_ctx, &mirrored, options) {
-                    log::error!("The page works, but not with a screen reader: {}", browser::sentence(&error));
+                    log::error!("The page works, but not with a screen reader: {}", inbox::sentence(&error));
                 }
                 let inbox = Inbox::new(&creation.egui_ctx);
                 listeners::listen(&creation.egui_ctx, &inbox);
                 leaving::listen(&running, &creation.egui_ctx, &mirrored);
+                touch::leave_to_touch_events();
+                printing::listen(&running, &creation.egui_ctx, &mirrored);
                 Ok(Box::new(PageApp::new(App::new(creation, Box::new(Browser::new(inbox))))))
             }),
         )
         .await
-        .map_err(|error| browser::sentence(&error))
+        .map_err(|error| inbox::sentence(&error))?;
+    // Behind the listeners of eframe, which are there by now.
+    touch::listen(touched);
+    Ok(())
 }
 
 /// Whether a key shows another screen, also from a field. On a Mac, where Alt writes another character, these write nothing.
@@ -77,11 +87,11 @@ fn copy(runner: &eframe::WebRunner, ctx: &egui::Context, what: Copyable) -> bool
 
 fn options() -> eframe::WebOptions {
     eframe::WebOptions {
-        // Ctrl and the wheel, or a pinch on a touch pad, zoom the page as usual.
+        // Ctrl and the wheel, a pinch on a touch pad, or two fingers on the screen zoom the page as usual.
         should_prevent_default: Box::new(|event| match event {
             egui::Event::MouseWheel { modifiers, .. } => !modifiers.ctrl,
             egui::Event::Zoom(_) => false,
-            _ => true,
+            _ => !touch::is_left_to_browser(),
         }),
         ..eframe::WebOptions::default()
     }

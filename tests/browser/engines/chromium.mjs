@@ -70,6 +70,17 @@ export const chromium = {
     });
   },
 
+  /** Makes a phone of the page, as the device toolbar does: touch, and device pixels in name only. */
+  async imitatePhone(driver, { width, height, scale }) {
+    await driver.sendDevToolsCommand('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: scale, mobile: true });
+    await driver.sendDevToolsCommand('Emulation.setTouchEmulationEnabled', { enabled: true, maxTouchPoints: 5 });
+  },
+
+  /** What fingers do, in the words of the DevTools protocol: 'touchStart', 'touchMove', 'touchEnd', and where they are then. */
+  async touch(driver, type, touchPoints) {
+    await driver.sendAndGetDevToolsCommand('Input.dispatchTouchEvent', { type, touchPoints });
+  },
+
   /** As if somebody had chosen colors for everything on the screen. */
   async chooseColors(driver) {
     await driver.sendDevToolsCommand('Emulation.setEmulatedMedia', { features: [{ name: 'forced-colors', value: 'active' }] });
@@ -83,6 +94,22 @@ export const chromium = {
   async installProblems(driver) {
     const { installabilityErrors } = await driver.sendAndGetDevToolsCommand('Page.getInstallabilityErrors', {});
     return installabilityErrors.map(({ errorId }) => errorId);
+  },
+
+  /** Has downloads go into this folder, without a question. */
+  async saveFilesIn(driver, folder) {
+    await driver.sendDevToolsCommand('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: folder });
+  },
+
+  /** The page on paper of this size in inches, as PDF. */
+  async print(driver, { paperWidth, paperHeight }) {
+    const { data } = await driver.sendAndGetDevToolsCommand('Page.printToPDF', { paperWidth, paperHeight });
+    return Buffer.from(data, 'base64');
+  },
+
+  /** Shows the page as it is on paper (`print`), or again as on the screen (empty). */
+  async setMedia(driver, media) {
+    await driver.sendDevToolsCommand('Emulation.setEmulatedMedia', { media });
   },
 
   async allowClipboard(driver, origin) {

@@ -20,6 +20,7 @@ async function inFirefox(driver, script, ...values) {
 
 export const firefox = {
   cannot: {
+    'imitate a phone': 'its driver has no such command',
     'say what keeps a page from being installed': 'its driver has no such command',
   },
   switchesOff: ['webgl', 'webassembly'],

@@ -10,6 +10,7 @@ const MOST_ATTEMPTS = 50;
 
 export const webkit = {
   cannot: {
+    'imitate a phone': NO_COMMAND,
     'show a page as narrow as a phone': 'its window is at least 447 pixels wide',
     'read the clipboard': 'MiniBrowser refuses the clipboard to every page and has no way to allow it',
     'leave a page with Tab': 'MiniBrowser goes on with the first element of the page, whichever page it is',

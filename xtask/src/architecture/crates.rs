@@ -10,6 +10,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("depth-generators", &["depth-core"]),
     ("depth-core", &["depth-generators"]),
     ("depth-text", &["depth-core", "depth-generators"]),
+    ("depth-figures", &["depth-core", "depth-text", "depth-generators"]),
     ("depth-files", &["depth-core"]),
     ("depth-vision", &["depth-core"]),
     ("depth-jobs", &["depth-core", "depth-files", "depth-vision"]),
@@ -19,6 +20,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
         &[
             "depth-core",
             "depth-text",
+            "depth-figures",
             "depth-files",
             "depth-vision",
             "depth-jobs",

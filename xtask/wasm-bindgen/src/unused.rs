@@ -20,6 +20,39 @@ const UNUSED: &[&[&str]] = &[
     &["9vello_cpu4fine", "12indexed_fill"],
     &["9vello_cpu8dispatch15single_threaded", "20bucket_and_rasterize", "9F32Kernel"],
     &["9vello_cpu6filter13gaussian_blur", "10apply_blur"],
+    // Letters are drawn without hinting: see the style of the program. 22 kB.
+    &["6skrifa7outline8autohint4hint", "12hint_outline"],
+    &["6skrifa7outline8autohint7metrics", "23UnscaledStyleMetricsSet3get"],
+    &["6skrifa7outline8autohint7outline", "7Outline4fill"],
+    &["6skrifa7outline8autohint5shape", "11GsubHandler14process_lookup"],
+    &["6skrifa7outline8autohint5style", "13GlyphStyleMap9new_inner"],
+    &["6skrifa7outline4glyf4hint8instance", "12HintInstance11reconfigure"],
+    // Nor does it blend anything with what is below, clip, or draw lines: the triangles of everything else are egui's. 35 kB.
+    &["15vectorize_inner", "4fine4lowp7compose", "9BlendMode"],
+    &["15vectorize_inner", "4fine4lowp5blend3mix"],
+    &["15vectorize_inner", "4fine5highp5blend3mix"],
+    &["9vello_cpu4fine4lowp5blend", "10Difference3mix"],
+    &["9vello_cpu4fine4lowp5blend", "7Lighten3mix"],
+    &["9vello_cpu4fine4lowp5blend", "6Darken3mix"],
+    &["9vello_cpu4fine4lowp5blend", "9HardLight3mix"],
+    &["9vello_cpu4fine4lowp5blend", "7Overlay3mix"],
+    &["9vello_cpu4fine4lowp5blend", "9Exclusion3mix"],
+    &["12vello_common4clip", "11ClipContext9push_clip"],
+    &["15vectorize_inner", "12vello_common4clip9intersect"],
+    &["8dispatch15single_threaded", "10Dispatcher11stroke_path"],
+    &["5kurbo6offset", "11CubicOffset10offset_rec"],
+    &["5kurbo6offset", "12offset_cubic"],
+    // egui gives the shaper only what the fonts of the program have signs for, and these have none of the scripts that need more than
+    // to be put side by side; nor does it name a language. 16 kB.
+    &["8harfrust2hb", "33preprocess_text_vowel_constraints"],
+    &["8harfrust2hb9tag_table", "26tags_from_complex_language"],
+    &["8harfrust2hb15ot_shaper_indic", "18initial_reordering"],
+    &["8harfrust2hb15ot_shaper_indic", "16final_reordering"],
+    &["8harfrust2hb15ot_shaper_indic", "16would_substitute"],
+    &["8harfrust2hb16ot_shaper_hangul", "22preprocess_text_hangul"],
+    &["8harfrust2hb13ot_shaper_use", "15setup_syllables"],
+    &["8harfrust2hb15ot_shaper_khmer", "13reorder_khmer"],
+    &["8harfrust2hb17ot_shaper_myanmar", "15reorder_myanmar"],
     // The fonts, which come with the program, have TrueType outlines without instructions: no PostScript, no variable components, no
     // bytecode, and no tables of Apple's. 25 kB.
     &["10read_fonts2ps2cs", "17evaluate_operator"],
@@ -27,6 +60,10 @@ const UNUSED: &[&[&str]] = &[
     &["6skrifa7outline4varc", "10draw_glyph"],
     &["6skrifa7outline4glyf4hint6engine", "14dispatch_inner"],
     &["8harfrust2hb3aat6layout", "10substitute"],
+    &["8harfrust2hb3aat3map", "13AatMapBuilder7compile"],
+    &["10read_fonts6tables4morx", "8Subtable4kind"],
+    &["10read_fonts6tables4kerx", "8Subtable4kind"],
+    &["10read_fonts2ps3cff4dict", "11parse_entry"],
 ];
 
 /// `module` with an instruction that traps in place of what [`UNUSED`] names.

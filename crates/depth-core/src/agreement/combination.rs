@@ -61,6 +61,28 @@ pub fn combine(first: &Model, second: &Model) -> Option<Measured<Length>> {
     (counted > 0.0).then(|| Measured::from_base(counted, value * relative))
 }
 
+/// The weights with which [`combine`] takes the two, which add to 1; `None` where one has no uncertainty of its own.
+///
+/// ```
+/// use depth_core::agreement::weights;
+/// # use depth_core::measured::Measured;
+/// # use depth_core::uncertainty::Model;
+/// # let exact = |px: f64| Measured::from_base(px, 0.0);
+/// let stereo = Model::stereo(exact(700.0), Measured::from_base(0.1, 0.0), Measured::from_base(50.0, 1.0), exact(0.0))?;
+/// let monocular = Model::monocular(exact(700.0), Measured::from_base(0.3, 0.0), Measured::from_base(150.0, 6.0))?;
+/// // 2 % and 4 %: 1/2² to 1/4².
+/// let [of_stereo, of_monocular] = weights(&stereo, &monocular).unwrap();
+/// assert!((of_stereo - 0.8).abs() < 1e-12 && (of_monocular - 0.2).abs() < 1e-12);
+/// # Ok::<(), depth_core::judge::Unsolvable>(())
+/// ```
+///
+/// Source: as [`combine`].
+pub fn weights(first: &Model, second: &Model) -> Option<[f64; 2]> {
+    let [r1, r2] = unshared([first, second]);
+    let r = root_sum_of_squares(&[r1, r2]);
+    (r1 > 0.0 && r2 > 0.0 && r.is_finite()).then(|| [(r2 / r) * (r2 / r), (r1 / r) * (r1 / r)])
+}
+
 /// The relative σ that both distances have in common: that of the focal length, where both need it.
 pub(crate) fn shared_relative_sigma(first: &Model, second: &Model) -> f64 {
     if first.calibration().is_some() && first.calibration() == second.calibration() {

@@ -7,7 +7,7 @@ mod combination;
 mod comparison;
 mod suspects;
 
-pub use combination::combine;
 pub(crate) use combination::shared_relative_sigma;
+pub use combination::{combine, weights};
 pub use comparison::{Agreement, Comparison, LARGEST_RATIO, Verdict};
 pub use suspects::{Suspect, suspects};

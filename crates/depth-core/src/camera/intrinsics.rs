@@ -3,6 +3,7 @@
 use super::focal_length::{diagonal, positive};
 use crate::angle::Angle;
 use crate::arithmetic::{root_sum_of_squares, signed_times_over};
+use crate::measured::Measured;
 use crate::quantity::{Length, Pixels};
 
 /// Field of view along one direction, atan(c/f) + atan((extent − c)/f), with the principal point at `center`.
@@ -35,6 +36,30 @@ pub fn field_of_view(focal_length: Pixels, center: Pixels, extent: Pixels) -> An
 pub fn pixel_size(focal_length: Pixels, depth: Length) -> Option<Length> {
     let size = depth.m() / focal_length.px();
     (focal_length.px() > 0.0 && size.is_finite()).then_some(Length::from_m(size))
+}
+
+/// The angle that `extent`, square to the line of sight and in the middle of it, takes at `distance`: α = 2·atan(extent/(2·distance)),
+/// with its first-order σ. Of a baseline it is the angle between both lines of sight.
+///
+/// ```
+/// use depth_core::camera::subtended_angle;
+/// use depth_core::measured::Measured;
+/// use depth_core::quantity::Length;
+///
+/// let meters = |value, sigma| Measured::new(Length::from_m(value), Length::from_m(sigma));
+/// let angle = subtended_angle(meters(0.1, 0.0005), meters(1.4, 0.01)).unwrap();
+/// assert!((angle.value.degrees() - 4.0908).abs() < 1e-4);
+/// assert!((angle.sigma.degrees() - 0.0356).abs() < 1e-4);
+/// ```
+///
+/// Source: the isosceles triangle of both ends and the camera; its partial derivatives are D/(D² + e²/4) and −e/(D² + e²/4).
+pub fn subtended_angle(extent: Measured<Length>, distance: Measured<Length>) -> Option<Measured<Angle>> {
+    let [e, d] = [extent.value.m(), distance.value.m()];
+    let angle = 2.0 * (e / 2.0).atan2(d);
+    let squares = d * d + e * e / 4.0;
+    let sigma = (d * extent.sigma.m()).hypot(e * distance.sigma.m()) / squares;
+    let is_usable = d > 0.0 && angle.is_finite() && sigma.is_finite();
+    is_usable.then(|| Measured::new(Angle::from_radians(angle), Angle::from_radians(sigma)))
 }
 
 /// A camera's intrinsic parameters, all in pixels of one image.

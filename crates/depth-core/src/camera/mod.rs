@@ -16,6 +16,6 @@ pub use focal_length::{
     focal_length_from_reference_photo, focal_length_from_sensor_width, resized_focal_length,
 };
 pub use ground::{BelowAxis, GroundSolution, GroundView, RightOfAxis};
-pub use intrinsics::{Intrinsics, OnSensor, field_of_view, pixel_size};
+pub use intrinsics::{Intrinsics, OnSensor, field_of_view, pixel_size, subtended_angle};
 pub use point::{Along, PointSolution, PointView};
 pub use tilt::foreshortened;

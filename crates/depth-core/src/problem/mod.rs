@@ -2,6 +2,7 @@
 //! reports go through this one step, so that they cannot disagree.
 
 mod check;
+mod estimated;
 mod inputs;
 mod inverse;
 mod solution;

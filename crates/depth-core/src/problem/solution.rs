@@ -169,6 +169,25 @@ impl Solution {
         }
     }
 
+    /// The weights of the stereo and of the monocular distance in the [combined](Self::combined) one, which add to 1; `None` without that.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// for (field, value, sigma) in [(Field::FocalLength, 700.0, 0.0), (Field::Baseline, 0.1, 0.002), (Field::Disparity, 50.0, 0.0),
+    ///     (Field::ImageWidth, 150.0, 6.0), (Field::RealWidth, 0.3, 0.0)] {
+    ///     mug.set(field, Some(value));
+    ///     mug.set_sigma(field, sigma);
+    /// }
+    /// // 2 % and 4 %: 1/2² to 1/4².
+    /// assert!((mug.solve().weights().unwrap()[0] - 0.8).abs() < 1e-12);
+    /// ```
+    pub fn weights(&self) -> Option<[f64; 2]> {
+        self.combined?;
+        let [stereo, monocular] = Method::ALL.map(|method| self.problem.model(method)?.ok());
+        agreement::weights(&stereo?, &monocular?)
+    }
+
     /// The distance to use: both combined where they can be, else the stereo distance, else the monocular one.
     ///
     /// ```
@@ -269,6 +288,26 @@ impl Solution {
     pub fn one_pixel_range(&self) -> Option<(Length, Option<Length>)> {
         self.stereo.distance()?;
         Some((self.problem.stereo_distance_if(1.0)?, self.problem.stereo_distance_if(-1.0)))
+    }
+
+    /// How much the stereo distance changes with one pixel of disparity, Z/(d + δ), to first order; `None` without a distance in pixels.
+    ///
+    /// ```
+    /// # use depth_core::problem::{Field, Problem};
+    /// let mut mug = Problem::default();
+    /// mug.set(Field::FocalLength, Some(700.0));
+    /// mug.set(Field::Baseline, Some(0.1));
+    /// mug.set(Field::Disparity, Some(50.0));
+    /// // 1.4 m / 50 px.
+    /// assert!((mug.solve().depth_of_one_pixel().unwrap().m() - 0.028).abs() < 1e-15);
+    /// ```
+    ///
+    /// Source: the derivative of f·b/(d + δ).
+    pub fn depth_of_one_pixel(&self) -> Option<Length> {
+        self.stereo.distance()?;
+        let disparity = self.problem.effective_disparity()?.px();
+        let model = self.problem.without_sigmas().model(Method::Stereo)?.ok()?;
+        Some(Length::from_m(model.projected_depth().m() / disparity)).filter(|length| length.m().is_normal())
     }
 
     /// The focal length of the lens that the distance of `method` has in it, where that is worth a word: more than

@@ -13,6 +13,37 @@ pub struct Results<'a> {
     pub assessment: &'a Assessment,
     /// The unit of the distances.
     pub unit: LengthUnit,
+    /// Where they come from.
+    pub provenance: Provenance<'a>,
+}
+
+/// Where results come from: given by the caller, as an exporter has no clock and no address. What is empty is left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Provenance<'a> {
+    /// The version of the program: "0.1.0".
+    pub version: &'a str,
+    /// The day: "November 25, 2026".
+    pub date: &'a str,
+    /// The link that opens the same form again.
+    pub link: &'a str,
+}
+
+/// What the program is called in what leaves it.
+pub const PROGRAM: &str = "Depth Calculator";
+
+impl Provenance<'_> {
+    /// Program and version: "Depth Calculator 0.1.0".
+    pub fn program(&self) -> String {
+        format!("{PROGRAM} {}", self.version).trim_end().to_owned()
+    }
+
+    /// Program, version and day with `separator` between: "Depth Calculator 0.1.0, November 25, 2026".
+    pub(super) fn line(&self, separator: &str) -> String {
+        if self.date.is_empty() {
+            return self.program();
+        }
+        format!("{}{separator}{}", self.program(), self.date)
+    }
 }
 
 /// A format in which results leave the program.

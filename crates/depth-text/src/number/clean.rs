@@ -49,18 +49,26 @@ fn digit(c: char, zero: char) -> char {
     char::from_digit(value, 10).unwrap_or(c)
 }
 
-/// A narrow space is no decimal mark anywhere, so that one between a digit and three others groups them.
+/// A narrow space is no decimal mark anywhere, so that one between a digit and three others groups them; behind a decimal mark also
+/// fewer, as the last group may be shorter: 0.012 30.
 fn without_narrow_spaces(text: &str) -> String {
     let mut joined = String::with_capacity(text.len());
     for (at, c) in text.char_indices() {
         let rest = text.get(at + c.len_utf8()..).unwrap_or_default();
         let digits = rest.chars().take_while(char::is_ascii_digit).count();
-        let groups = matches!(c, '\u{2009}' | '\u{202f}') && joined.ends_with(|c: char| c.is_ascii_digit()) && digits == 3;
-        if !groups {
+        let is_narrow = matches!(c, '\u{2009}' | '\u{202f}') && joined.ends_with(|c: char| c.is_ascii_digit());
+        if !is_narrow || !(digits == 3 || (digits < 3 && digits > 0 && ends_in_whole_decimals(&joined))) {
             joined.push(c);
         }
     }
     joined
+}
+
+/// Whether `text` ends with decimals in whole groups of three.
+fn ends_in_whole_decimals(text: &str) -> bool {
+    let before = text.trim_end_matches(|c: char| c.is_ascii_digit());
+    let decimals = text.len() - before.len();
+    before.ends_with(['.', ',']) && decimals > 0 && decimals.is_multiple_of(3)
 }
 
 /// What stands behind a name: "718.856 px" of "fx = 718.856 px" and of "\"fx\": 718.856,".

@@ -82,6 +82,21 @@ impl Notation {
         format!("{}{power}", mantissa.trim_end_matches('0').trim_end_matches('.'))
     }
 
+    /// A σ with two digits beside a value with `decimals`: written out with as many where it alone would have a power of ten.
+    pub(crate) fn beside(self, sigma: f64, decimals: i32) -> String {
+        let is_small = !self.writes_out(sigma) && sigma.abs() < 1.0 && decimals >= 1 - magnitude(sigma);
+        match usize::try_from(decimals) {
+            Ok(decimals) if is_small => self.grouped(format!("{sigma:.decimals$}")),
+            _ => self.significant(sigma, 2),
+        }
+    }
+
+    /// [`plain`](Self::plain) as people read it: long numbers in groups, with the minus of print.
+    pub fn readable(self, value: f64, digits: usize) -> String {
+        let plain = self.plain(value, digits);
+        with_minus(&if plain.contains(TIMES) { plain } else { self.grouped(plain) })
+    }
+
     /// `value` to `decimals` places; negative ones round to tens, hundreds and so on. Not finite: [`NO_NUMBER`].
     pub fn to_decimals(self, value: f64, decimals: i32) -> String {
         if !value.is_finite() {
@@ -100,21 +115,30 @@ impl Notation {
         })
     }
 
-    /// A written-out number with its whole part in groups of three digits, where that has more than four.
+    /// A written-out number in groups of three digits on both sides of the point, where there are more than four on that side.
     fn grouped(self, number: String) -> String {
-        let whole = number.find('.').unwrap_or(number.len());
-        let first = usize::from(number.starts_with('-'));
-        if !self.groups || whole - first <= 4 {
+        if !self.groups {
             return number;
         }
-        let mut grouped = String::with_capacity(number.len() + 8);
-        for (at, c) in number.char_indices() {
-            if at > first && at < whole && (whole - at).is_multiple_of(3) {
-                grouped.push(GROUP);
-            }
-            grouped.push(c);
+        let (sign, digits) = number.strip_prefix('-').map_or(("", number.as_str()), |digits| ("-", digits));
+        let (whole, decimals) = digits.split_once('.').unwrap_or((digits, ""));
+        let mut grouped = sign.to_owned();
+        push_groups(&mut grouped, whole, whole.len() % 3);
+        if !decimals.is_empty() {
+            grouped.push('.');
+            push_groups(&mut grouped, decimals, 0);
         }
         grouped
+    }
+}
+
+/// Adds `digits` to `text`, with a space before every third one, counted from the place `first`; four digits are no group and a rest.
+fn push_groups(text: &mut String, digits: &str, first: usize) {
+    for (at, c) in digits.chars().enumerate() {
+        if digits.len() > 4 && at > 0 && at % 3 == first {
+            text.push(GROUP);
+        }
+        text.push(c);
     }
 }
 
@@ -203,7 +227,9 @@ mod tests {
         for (value, expected) in [
             (1.4, "1.400"),
             (4.275, "4.275"),
-            (0.001, "0.001000"),
+            (0.001, "0.001\u{2009}000"),
+            (0.0123, "0.012\u{2009}30"),
+            (0.001_234, "0.001\u{2009}234"),
             (0.0009999, "9.999 × 10⁻⁴"),
             (0.000_999_99, "1.000 × 10⁻³"),
             (1234.5, "1234"),

@@ -9,7 +9,7 @@ use crate::names::{self, Named};
 use crate::note::Issue;
 use crate::number::Notation;
 use crate::reading::Reading;
-use crate::sentences::{Statement, capital, needs, percent, short_name, sizes};
+use crate::sentences::{Statement, capital, needs, shares, short_name, sizes};
 use crate::style::Style;
 use crate::unit::Unit;
 use depth_core::angle::AngleUnit;
@@ -19,9 +19,22 @@ use depth_core::problem::{Method, Solution, Solved, Uncertainty};
 use depth_core::quantity::{Length, LengthUnit};
 use depth_core::setup::Object;
 
+mod budget;
+mod field_line;
+mod parts;
 mod places;
+pub mod strip;
+mod table;
+mod tone;
 
+pub use field_line::{field_line, field_line_in_pair};
 pub use places::{ALONG_FLOOR, BETWEEN_POINTS, DEPTH_OF_RANGE, FROM_FIRST_PLACE, ground, point, point_origin, two_points, two_shots};
+
+pub use budget::{Budget, BudgetRow, budgets};
+pub use parts::{angle_between_rays, mode_rows};
+pub use strip::{Badge, Cell, Line, Mode, Part, Quality, Shown, Strip, Value, quantity_formula};
+pub use table::{INTERMEDIATE, NONE, Row, all_rows, parameter_rows};
+pub use tone::Tone;
 
 pub use crate::style::{DIGITS, NO_UPPER_BOUND, WithSigma};
 
@@ -42,17 +55,17 @@ pub fn measured_parts(length: Measured<Length>, unit: LengthUnit) -> [String; 2]
     STYLE.measured_parts(length, unit)
 }
 
-/// "1.373 … 1.429 m"; see [`Style::range`].
+/// "1.373…1.429 m"; see [`Style::range`].
 pub fn range(near: Length, far: Option<Length>, unit: LengthUnit) -> String {
     STYLE.range(near, far, unit)
 }
 
-/// "1.373 … 1.429 m"; see [`Style::one_pixel_range`].
+/// "1.373…1.429 m"; see [`Style::one_pixel_range`].
 pub fn one_pixel_range(solution: &Solution, unit: LengthUnit) -> Option<String> {
     STYLE.one_pixel_range(solution, unit)
 }
 
-/// "1.384 … 1.416 m"; see [`Style::interval`].
+/// "1.384…1.416 m"; see [`Style::interval`].
 pub fn interval(uncertainty: &Uncertainty, unit: LengthUnit) -> String {
     STYLE.interval(uncertainty, unit)
 }
@@ -112,89 +125,6 @@ pub fn formula_with_numbers(assessment: &Assessment, method: Method, unit: Lengt
     Some(format!("D = {numbers} = {}", length(Some(distance), unit)))
 }
 
-/// One row of the table "Key input parameters and outputs".
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Row {
-    /// What it is.
-    pub parameter: String,
-    /// Its value in [`unit`](Self::unit), or [`NO_NUMBER`](crate::number::NO_NUMBER).
-    pub value: String,
-    /// "pixels" or "meters".
-    pub unit: String,
-    /// "px" or "m", where there is no room for that.
-    pub symbol: String,
-    /// What it means.
-    pub description: String,
-}
-
-/// The rows of the table: the inputs that everybody has as they were typed, then what follows, its lengths in `unit`.
-pub fn parameter_rows(assessment: &Assessment, unit: LengthUnit) -> Vec<Row> {
-    let inputs = Key::form().filter(|key| !key.is_optional);
-    let inputs = inputs.filter_map(|key| input_row(assessment, key));
-    inputs.chain(output_rows(&assessment.solution, unit)).collect()
-}
-
-/// The input `key` as it was typed; `None` where it is no input of a distance.
-fn input_row(assessment: &Assessment, key: Key) -> Option<Row> {
-    let words = assessment.worded(key);
-    let value = assessment.solution.problem.get(key.input?);
-    let typed = assessment
-        .reading(key)
-        .filter(|_| value.is_some() && !assessment.is_solved_for(key));
-    let unit = typed.map_or_else(|| key.kind.default_unit(), |reading| reading.unit);
-    Some(Row {
-        parameter: words.name.to_owned(),
-        value: match typed {
-            Some(reading) => reading.number_text.clone(),
-            None => STYLE.number(value.map(|value| unit.map_or(value, |unit| unit.from_base(value)))),
-        },
-        unit: match unit {
-            Some(square @ Unit::Square(_)) => square.to_string(),
-            unit => unit.map_or("", Named::name).to_owned(),
-        },
-        symbol: unit.map_or_else(String::new, |unit| unit.to_string()),
-        description: words.spec().description.to_owned(),
-    })
-}
-
-/// What follows from the inputs, its lengths in `unit`; the combined distance where there is one.
-fn output_rows(solution: &Solution, unit: LengthUnit) -> impl Iterator<Item = Row> {
-    let object = solution.problem.object;
-    let [in_image, real] = predicted(object);
-    let by_size = match object {
-        Object::Width => "Distance from the object’s known width",
-        Object::Height => "Distance from the object’s known height",
-        Object::Ball => "Distance from the ball’s known diameter",
-    };
-    let row = |parameter: &str, value, unit: Unit, description: &str| Row {
-        parameter: parameter.to_owned(),
-        value: STYLE.number(value),
-        unit: unit.name().to_owned(),
-        symbol: unit.symbol().to_owned(),
-        description: description.to_owned(),
-    };
-    let length = |name: &str, length: Option<Length>, description: &str| {
-        let unit = length.map_or(unit, |length| STYLE.unit_of(length, unit));
-        row(name, length.map(|length| length.in_unit(unit)), Unit::Length(unit), description)
-    };
-    let combined = solution.combined.map(|combined| {
-        let description = "Distance from both, weighted by how well each is known";
-        length(COMBINED_DISTANCE, Some(combined.value), description)
-    });
-    let rows = [
-        row(
-            estimated_width_px_name(object),
-            solution.estimated_width_px.map(|width| width.px()),
-            Unit::Pixel,
-            &in_image,
-        ),
-        length(&estimated_width_name(object, unit), solution.estimated_width, &real),
-        length(distance_name(Method::Stereo), solution.stereo.distance(), "Distance from disparity"),
-        length(distance_name(Method::Monocular), solution.monocular.distance(), by_size),
-    ];
-    rows.into_iter().chain(combined)
-}
-
 /// Name of the distance of `method` in a table.
 pub const fn distance_name(method: Method) -> &'static str {
     match method {
@@ -238,14 +168,17 @@ pub const ONE_PIXEL: &str = "one pixel of disparity more or less";
 
 /// Where the variance comes from: "disparity 75 %, baseline 19 %, focal length 6 %", the largest first.
 pub fn budget(assessment: &Assessment, uncertainty: &Uncertainty) -> String {
-    let mut shares = uncertainty.budget.to_vec();
-    shares.sort_by(|a, b| b.share.total_cmp(&a.share));
-    shares
-        .iter()
-        .filter(|share| share.share > 0.0)
-        .map(|share| format!("{} {}", short_name(assessment.worded(share.source)), percent(share.share)))
-        .collect::<Vec<_>>()
-        .join(", ")
+    let shares = budget_shares(assessment, uncertainty).into_iter();
+    let shares = shares.map(|(key, share)| format!("{} {share}", short_name(key)));
+    shares.collect::<Vec<_>>().join(", ")
+}
+
+/// The inputs that the variance comes from with their shares, the largest first; what is written adds up to 100 %.
+pub fn budget_shares(assessment: &Assessment, uncertainty: &Uncertainty) -> Vec<(Key, String)> {
+    let mut parts: Vec<_> = uncertainty.budget.iter().filter(|share| share.share > 0.0).collect();
+    parts.sort_by(|a, b| b.share.total_cmp(&a.share));
+    let written = shares(&parts.iter().map(|share| share.share).collect::<Vec<_>>());
+    parts.iter().map(|share| assessment.worded(share.source)).zip(written).collect()
 }
 
 /// How sure the distance is that `uncertainty` belongs to, a line each: the interval, the shares, and whether ± σ misleads.
@@ -271,7 +204,7 @@ pub fn agreement(assessment: &Assessment) -> Vec<String> {
     statements.map(|statement| statement.to_string()).collect()
 }
 
-/// What was solved for with its uncertainty, a length in `unit`: "100.0 ± 1.2 mm"; `None` where something is lacking.
+/// What was solved for with its uncertainty, a length in `unit`: "(100.0 ± 1.2) mm"; `None` where something is lacking.
 pub fn unknown(style: Style, unknown: &Unknown, unit: LengthUnit) -> Option<String> {
     Some(match *unknown.outcome.as_ref().ok()? {
         Solved::Length(length) => style.measured(length, unit),
@@ -319,7 +252,7 @@ mod tests {
     use super::*;
     use crate::entry::Entry;
     use crate::form::{Example, Inputs};
-    use crate::number::NO_NUMBER;
+
     use depth_core::problem::Field;
 
     #[test]
@@ -328,7 +261,7 @@ mod tests {
         let assessment = inputs.assess();
         assert_eq!(
             one_pixel_range(&assessment.solution, LengthUnit::Meter).as_deref(),
-            Some("1.373 … 1.429 m")
+            Some("1.373…1.429 m")
         );
         assert_eq!(
             formula_with_numbers(&assessment, Method::Stereo, LengthUnit::Meter).as_deref(),
@@ -361,7 +294,7 @@ mod tests {
         let values: Vec<_> = rows.iter().map(|row| (row.value.as_str(), row.unit.as_str())).collect();
         assert_eq!(
             values.get(..4),
-            Some(&[("700", "pixels"), ("10", "centimeters"), ("50", "pixels"), (NO_NUMBER, "pixels")][..])
+            Some(&[("700", "pixels"), ("10", "centimeters"), ("50", "pixels"), (NONE, "pixels")][..])
         );
         assert!(values.contains(&("4.593", "feet")), "{values:?}");
     }
@@ -372,7 +305,7 @@ mod tests {
         *inputs.entry_mut(Field::Disparity) = Entry::new("1", None);
         assert_eq!(
             one_pixel_range(&inputs.assess().solution, LengthUnit::Meter).as_deref(),
-            Some("35.00 m … no upper bound")
+            Some("35.00…∞ m")
         );
     }
 

@@ -4,10 +4,17 @@
 //! All of them are shown by the snapshots in `tests/sentences` of the program.
 
 mod command_line;
+mod description;
+mod headline;
 mod issue;
+mod page;
+mod phrase;
 mod statement;
 mod words;
 
 pub use command_line::CommandLine;
+pub use description::Description;
+pub use page::Page;
+pub use phrase::Phrase;
 pub use statement::{Pair, Statement};
-pub use words::{capital, needs, percent, quoted, short_name, sizes};
+pub use words::{capital, lower, needs, percent, quoted, shares, short_name, sizes};

@@ -12,6 +12,15 @@ pub fn capital(text: &str) -> String {
         .map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
 }
 
+/// `text` as it stands in the middle of a line: with a small first letter, where that begins a word of several.
+pub fn lower(text: &str) -> String {
+    let mut chars = text.chars();
+    match (chars.next(), chars.next()) {
+        (Some(first), Some(second)) if second.is_lowercase() => first.to_lowercase().chain(text.chars().skip(1)).collect(),
+        _ => text.to_owned(),
+    }
+}
+
 /// What is still needed: "needs b and d"; empty where nothing is.
 pub fn needs(missing: &[Key]) -> String {
     let symbols: Vec<&str> = missing.iter().map(|key| key.symbol).collect();
@@ -55,19 +64,84 @@ pub fn short_name(key: Key) -> &'static str {
     key.noun.trim_start_matches("the ")
 }
 
-/// A share of a whole, "75 %".
+/// A share of a whole, "75 %"; "< 1 %" where there is something that rounds to nothing. Several that belong together are
+/// [`shares`].
 pub fn percent(share: f64) -> String {
     let percent = share * 100.0;
     if percent > 0.0 && percent < 0.5 {
-        "under 1 %".to_owned()
+        BELOW_ONE.to_owned()
     } else {
         format!("{percent:.0} %")
     }
 }
 
+const BELOW_ONE: &str = "< 1 %";
+
+/// Shares of one whole, in percent of it and in their order: what is written adds up to what they add up to, 100 % where they are all
+/// (largest remainders). What is above 0 and has none of it is "< 1 %". What is no share, such as NaN, counts as 0.
+pub fn shares(shares: &[f64]) -> Vec<String> {
+    let exact: Vec<f64> = shares
+        .iter()
+        .map(|share| (share * 100.0).clamp(0.0, 100.0))
+        .map(|p| if p.is_nan() { 0.0 } else { p })
+        .collect();
+    // What is below a half is never rounded up.
+    let whole = |percent: f64| if percent < 0.5 { 0.0 } else { percent.floor() };
+    let mut written: Vec<f64> = exact.iter().copied().map(whole).collect();
+    let total = exact.iter().sum::<f64>().round();
+    let mut by_remainder: Vec<usize> = (0..exact.len()).collect();
+    let remainder = |at: &usize| {
+        exact
+            .get(*at)
+            .map_or(0.0, |percent| if *percent < 0.5 { 0.0 } else { percent.fract() })
+    };
+    by_remainder.sort_by(|a, b| remainder(b).total_cmp(&remainder(a)));
+    let mut left = total - written.iter().sum::<f64>();
+    for at in by_remainder {
+        if left < 0.5 {
+            break;
+        }
+        if let Some(percent) = written.get_mut(at).filter(|_| remainder(&at) > 0.0) {
+            *percent += 1.0;
+            left -= 1.0;
+        }
+    }
+    // What many small ones have together goes to the largest.
+    if left > 0.5
+        && let Some(largest) = written.iter_mut().max_by(|a, b| a.total_cmp(b)).filter(|largest| **largest > 0.0)
+    {
+        *largest += left;
+    }
+    let text = |(percent, exact): (f64, f64)| {
+        if percent == 0.0 && exact > 0.0 {
+            BELOW_ONE.to_owned()
+        } else {
+            format!("{percent:.0} %")
+        }
+    };
+    written.into_iter().zip(exact).map(text).collect()
+}
+
 #[cfg(test)]
 mod tests {
-    use super::quoted;
+    use super::{quoted, shares};
+
+    #[test]
+    fn shares_add_up_to_a_hundred_percent() {
+        for (parts, expected) in [
+            (&[0.752, 0.188, 0.060][..], &["75 %", "19 %", "6 %"][..]),
+            (&[1.0 / 3.0; 3], &["34 %", "33 %", "33 %"]),
+            (&[0.146, 0.146, 0.708], &["15 %", "14 %", "71 %"]),
+            (&[0.858, 0.138, 0.004], &["86 %", "14 %", "< 1 %"]),
+            (&[0.996, 0.004], &["100 %", "< 1 %"]),
+            (&[0.984, 0.004, 0.004, 0.004, 0.004], &["100 %", "< 1 %", "< 1 %", "< 1 %", "< 1 %"]),
+            (&[1.0, 0.0], &["100 %", "0 %"]),
+            (&[0.745, 0.245, f64::NAN], &["75 %", "24 %", "0 %"]),
+            (&[], &[]),
+        ] {
+            assert_eq!(shares(parts), expected, "{parts:?}");
+        }
+    }
 
     #[test]
     fn only_text_that_runs_from_right_to_left_is_isolated() {

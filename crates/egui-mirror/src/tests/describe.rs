@@ -58,7 +58,19 @@ fn a_field_is_named_by_its_label_and_described_by_its_error() {
         "a relation to nothing is left out"
     );
     assert_eq!(attribute(&page, field, "aria-invalid"), Some("true"));
-    assert_eq!(attribute(&page, field, "inputmode"), Some("decimal"));
+}
+
+#[test]
+fn the_number_keyboard_is_asked_for_only_where_neither_a_sign_nor_a_unit_can_be_typed() {
+    let mut tree = TestTree::new();
+    let any = tree.add(ROOT, Role::NumberInput, |_| {});
+    let signed = tree.add(ROOT, Role::SpinButton, |node| node.set_min_numeric_value(-1.0));
+    let bare = tree.add(ROOT, Role::NumberInput, |node| node.set_min_numeric_value(0.0));
+    let page = tree.page();
+    assert_eq!(attribute(&page, any, "inputmode"), Some("text"));
+    assert_eq!(attribute(&page, any, "autocapitalize"), Some("off"));
+    assert_eq!(attribute(&page, signed, "inputmode"), Some("text"));
+    assert_eq!(attribute(&page, bare, "inputmode"), Some("decimal"));
 }
 
 #[test]
@@ -235,4 +247,31 @@ fn a_hidden_node_is_not_in_the_page() {
     let mut tree = TestTree::new();
     tree.add(ROOT, Role::Button, Node::set_hidden);
     assert!(tree.page().elements().is_empty());
+}
+
+#[test]
+fn text_lies_in_the_page_as_it_is_painted() {
+    let rect = |x0, y0, x1, y1| egui::accesskit::Rect { x0, y0, x1, y1 };
+    let mut tree = TestTree::new();
+    let words = tree.add(ROOT, Role::Label, |node| {
+        label(node, "two lines");
+        node.set_bounds(rect(10.0, 20.0, 110.0, 60.0));
+    });
+    for line in 0..2 {
+        let y = 22.0 + 16.0 * f64::from(line);
+        tree.add(words, Role::TextRun, |node| node.set_bounds(rect(14.0, y, 54.0, y + 16.0)));
+    }
+    let heading = tree.add(ROOT, Role::Heading, |node| {
+        label(node, "one");
+        node.set_bounds(rect(0.0, 0.0, 80.0, 24.0));
+    });
+    let page = tree.page();
+    let lettering = |id| {
+        page.get(id)
+            .unwrap()
+            .lettering
+            .map(|text| (text.left, text.top, text.width, text.line, text.lines))
+    };
+    assert_eq!(lettering(words), Some((4.0, 2.0, 80.0, 16.0, 2)));
+    assert_eq!(lettering(heading), Some((0.0, 0.0, 80.0, 24.0, 1)));
 }

@@ -5,7 +5,7 @@ use egui::accesskit::{Live, Node, NodeId, Rect, Toggled};
 
 use super::{ROOT, TestTree, control};
 use crate::diff::{Edit, diff};
-use crate::element::Place;
+use crate::element::{Lettering, Place};
 use crate::page::Page;
 
 #[test]
@@ -33,6 +33,7 @@ struct Made {
     value: Option<String>,
     checked: Option<Toggled>,
     place: Option<Place>,
+    lettering: Option<Lettering>,
     children: Vec<NodeId>,
 }
 
@@ -94,6 +95,7 @@ impl Browser {
             Edit::Value(id, value) => self.made.get_mut(&id).unwrap().value = Some(value),
             Edit::Checked(id, checked) => self.made.get_mut(&id).unwrap().checked = Some(checked),
             Edit::Place(id, place) => self.made.get_mut(&id).unwrap().place = Some(place),
+            Edit::Lettering(id, lettering) => self.made.get_mut(&id).unwrap().lettering = lettering,
             Edit::Children(parent, children) => {
                 for (position, child) in children.into_iter().enumerate() {
                     assert!(self.made.contains_key(&child));
@@ -118,6 +120,7 @@ impl Browser {
             assert_eq!(made.text, element.text.clone().unwrap_or_default());
             assert_eq!(made.checked, element.checked);
             assert_eq!(made.place, Some(element.place));
+            assert_eq!(made.lettering, element.lettering);
             assert_eq!(made.children, element.children, "children of {element:?}");
             if element.value.is_some() {
                 assert_eq!(made.value, element.value);

@@ -120,6 +120,32 @@ impl Dom {
         self.elements.get(id).is_some_and(|element| self.host.hides(element))
     }
 
+    /// The text that is selected, as what a search finds is in some browsers.
+    pub(crate) fn selected(&self) -> Option<NodeId> {
+        let selection = web_sys::window()?.get_selection().ok()??;
+        let mut holder = selection.anchor_node().filter(|_| !selection.is_collapsed());
+        while let Some(node) = holder {
+            let id = node.dyn_ref::<Element>().and_then(|element| element::node_id(&element.id()));
+            if id.is_some() {
+                return id;
+            }
+            holder = node.parent_node();
+        }
+        None
+    }
+
+    /// The text in the middle of what the browser has scrolled to: there stands what it has found, where it does not say what that is.
+    pub(crate) fn in_the_middle(&self) -> Option<NodeId> {
+        let middle = |element: &Element| {
+            let rect = element.get_bounding_client_rect();
+            rect.top() + rect.height() / 2.0
+        };
+        let wanted = middle(self.host.element());
+        let with_text = self.page.elements().iter().filter(|element| element.text.is_some());
+        let places = with_text.filter_map(|element| Some((element.id, (middle(self.elements.get(element.id)?) - wanted).abs())));
+        places.min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(id, _)| id)
+    }
+
     /// Lays the mirror over the area that egui paints.
     pub(crate) fn lay_over_canvas(&self) {
         self.host.lay_over(&self.canvas);

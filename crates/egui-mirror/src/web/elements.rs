@@ -7,13 +7,16 @@ use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{Document, Element, HtmlElement, HtmlInputElement, HtmlTextAreaElement, Node};
 
 use super::host;
+use super::lettering::Measure;
 use super::signals::{COMPOSING, QUIET, has_value_waiting};
 use crate::diff::Edit;
 use crate::element::{Place, element_id};
 
 /// Every element lies where it is painted. The size of the text keeps phones from zooming in on a field.
 const STYLE: &str = "position:absolute;box-sizing:border-box;margin:0;padding:0;border:0;min-width:0;min-height:0;\
-    white-space:nowrap;font:inherit;appearance:none";
+    white-space:nowrap;font:inherit;appearance:none;background:none;outline:none;color:inherit;text-decoration:none;list-style:none";
+/// What a person types into shows its own caret and selection, which egui paints already. Not zero: see the style of the host.
+const UNSEEN: &str = ";opacity:0.001";
 
 /// The elements by their nodes.
 pub(crate) struct Elements {
@@ -21,11 +24,13 @@ pub(crate) struct Elements {
     /// What contains them all.
     content: HtmlElement,
     by_node: HashMap<NodeId, HtmlElement>,
+    measure: Option<Measure>,
 }
 
 impl Elements {
     pub(crate) fn new(document: Document, content: HtmlElement) -> Self {
         Self {
+            measure: Measure::new(&document),
             document,
             content,
             by_node: HashMap::new(),
@@ -47,7 +52,10 @@ impl Elements {
             Edit::Create(id, tag) => {
                 let element: HtmlElement = self.document.create_element(tag)?.dyn_into()?;
                 element.set_id(&element_id(id));
-                element.style().set_css_text(STYLE);
+                let is_typed_into = matches!(tag, "input" | "textarea");
+                element
+                    .style()
+                    .set_css_text(&[STYLE, if is_typed_into { UNSEEN } else { "" }].concat());
                 self.by_node.insert(id, element);
             }
             Edit::Attribute(id, name, value) => {
@@ -64,6 +72,11 @@ impl Elements {
             Edit::Value(id, value) => self.set_value(id, &value),
             Edit::Checked(id, checked) => self.set_checked(id, checked),
             Edit::Place(id, place) => self.set_place(id, place)?,
+            Edit::Lettering(id, lettering) => {
+                if let (Some(element), Some(measure)) = (self.get(id), &self.measure) {
+                    measure.fit(element, lettering)?;
+                }
+            }
             Edit::Children(parent, children) => self.set_children(parent, &children)?,
         }
         Ok(())

@@ -22,6 +22,7 @@ pub(crate) fn listen(dom: &Dom) -> Result<Vec<Listener>, JsValue> {
         Listener::new(host, "focusin", false, focus_came),
         Listener::new(host, "focusout", false, |_| focus_went()),
         Listener::new(host, "click", false, clicked),
+        Listener::new(host, "scroll", false, |_| scrolled()),
         Listener::new(host, "input", false, typed),
         Listener::new(host, "change", false, typed),
         Listener::new(host, "keydown", false, |event| {
@@ -34,7 +35,10 @@ pub(crate) fn listen(dom: &Dom) -> Result<Vec<Listener>, JsValue> {
             COMPOSING.set(None);
             typed(event);
         }),
-        Listener::new(dom.document(), "selectionchange", false, |_| caret_moved()),
+        Listener::new(dom.document(), "selectionchange", false, |_| {
+            caret_moved();
+            found();
+        }),
         // Before eframe's own listener on the canvas, which keeps every Tab from the browser.
         Listener::new(&window, "keydown", true, keyboard::on_its_way),
         Listener::new(&window, "pointerdown", true, |event| {
@@ -84,6 +88,31 @@ fn focus_went() {
     FOCUSED.set(None);
     COMPOSING.set(None);
     let _ = with(|mirror| mirror.dom.ctx().request_repaint());
+}
+
+/// The browser has scrolled the page to something in it, as to what it found there: that is for egui to do.
+fn scrolled() {
+    let _ = with(|mirror| {
+        let dom = &mirror.dom;
+        if dom.host().scrolled() == (0.0, 0.0) {
+            return;
+        }
+        let wanted = dom.selected().or_else(|| dom.in_the_middle());
+        dom.host().scroll_back();
+        if let Some(id) = wanted {
+            act(dom.ctx(), id, Action::ScrollIntoView, None);
+        }
+    });
+}
+
+/// What a search in the page has found may be selected, and out of sight.
+fn found() {
+    let _ = with(|mirror| {
+        let dom = &mirror.dom;
+        if let Some(id) = dom.selected().filter(|id| dom.is_out_of_sight(*id)) {
+            act(dom.ctx(), id, Action::ScrollIntoView, None);
+        }
+    });
 }
 
 fn caret_moved() {

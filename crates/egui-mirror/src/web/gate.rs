@@ -39,8 +39,6 @@ pub(crate) enum Verdict {
     HandOn,
     /// Let the canvas have it, and all that comes of this pointer's press.
     HandOnPress(i32),
-    /// Let the browser make nothing of it, and the canvas have it.
-    Replace,
     /// Let the browser make nothing of it.
     Prevent,
     /// Let nobody on the page but the mirror hear of it.
@@ -120,9 +118,10 @@ impl Gate {
                     self.handed_on.set(None);
                 }
             }
-            // Else the keyboard would go to the element, and a mouse would be made of a finger.
+            // Else the keyboard would go to the element.
             "mousedown" if in_mirror && self.handed_on.get().is_some() => return Verdict::Prevent,
-            "touchstart" if in_mirror && self.handed_on.get().is_some() => return Verdict::Replace,
+            // Whether the browser may make a mouse or a pinch of it is for the canvas to say.
+            "touchstart" if in_mirror && self.handed_on.get().is_some() => return Verdict::HandOn,
             // eframe hears of a move and an end wherever they happen, of this on the canvas alone.
             "touchcancel" if in_mirror => return Verdict::HandOn,
             "click" if !in_mirror => self.handed_on.set(None),

@@ -3,13 +3,22 @@
 use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{Document, Element, FocusOptions, HtmlCanvasElement, HtmlElement, Node};
 
+/// The size of its text, in CSS pixels, where nothing is known of the painted one.
+pub(crate) const FONT_SIZE: f64 = 16.0;
+
 /// Over the canvas, where assistive technology looks for what is under a finger; `gate` says who gets the pointer all the
-/// same, and what touches mean is for the canvas to say as well. The opacity is not zero, because what has none counts as not
-/// displayed to WebDriver; a thousandth is less than half a step of an 8-bit color, so nothing of it reaches the screen.
-/// `visibility` and `display` would take the page from the accessibility tree as well, and a page clipped to nothing or moved
-/// aside would not say where on the screen its elements are.
-const STYLE: &str = "position:absolute;margin:0;padding:0;border:0;overflow:clip;contain:strict;touch-action:none;\
-    opacity:0.001;font:16px sans-serif;color:#808080;background:none";
+/// same, and what one finger means is for the canvas to say as well; two zoom the page, where the canvas lets them. Its text has no
+/// color, so that nothing is seen of it but what the browser marks, as when it searches in the page. It has an opacity, because what has
+/// none counts as not displayed to WebDriver. `visibility` and `display` would take the page from the accessibility tree as well, and a
+/// page clipped to nothing or moved aside would not say where on the screen its elements are. Colors that a person has chosen for
+/// everything are not for what is not seen.
+const STYLE: &str = "position:absolute;margin:0;padding:0;border:0;overflow:hidden;contain:strict;touch-action:pinch-zoom;\
+    font:16px sans-serif;color:#808080;-webkit-text-fill-color:transparent;caret-color:transparent;background:none;\
+    forced-color-adjust:none";
+
+/// So far from the edges of what can be scrolled lies the page: a browser that searches in it scrolls to what it finds, wherever that is,
+/// and the host has egui scroll there instead.
+const MARGIN: f64 = 30_000.0;
 
 /// The element around the page.
 pub(crate) struct Host {
@@ -38,6 +47,8 @@ impl Host {
         };
         element.style().set_css_text(STYLE);
         let content = make("div")?;
+        let place = format!("position:absolute;left:{MARGIN}px;top:{MARGIN}px;width:{MARGIN}px;height:{MARGIN}px");
+        content.style().set_css_text(&place);
         let edges = [make("span")?, make("span")?];
         for edge in &edges {
             edge.set_tab_index(-1);
@@ -79,6 +90,20 @@ impl Host {
         ];
         for (side, pixels) in sides {
             let _ = self.element.style().set_property(side, &format!("{pixels}px"));
+        }
+        self.scroll_back();
+    }
+
+    /// How far the browser has scrolled the page away from the canvas, right and down.
+    pub(crate) fn scrolled(&self) -> (f64, f64) {
+        let (left, top) = (f64::from(self.element.scroll_left()), f64::from(self.element.scroll_top()));
+        (left - MARGIN, top - MARGIN)
+    }
+
+    /// Lays the page over the canvas again.
+    pub(crate) fn scroll_back(&self) {
+        if self.scrolled() != (0.0, 0.0) {
+            self.element.scroll_to_with_x_and_y(MARGIN, MARGIN);
         }
     }
 

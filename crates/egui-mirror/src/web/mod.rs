@@ -15,6 +15,7 @@ mod gate;
 mod host;
 mod installed;
 mod keyboard;
+mod lettering;
 mod listener;
 mod options;
 mod plugin;

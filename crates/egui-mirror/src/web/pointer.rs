@@ -40,11 +40,6 @@ pub(crate) fn heard(event: &Event) {
             // Not before: the copy is another press, on the canvas.
             let _ = with(|mirror| mirror.gate.note_handed_on(id));
         }
-        Verdict::Replace => {
-            event.prevent_default();
-            // Where no such event can be made, the canvas has still got the pointer.
-            let _ = hand_on(event, &canvas);
-        }
         Verdict::Prevent => event.prevent_default(),
         Verdict::Keep => event.stop_propagation(),
     }

@@ -12,7 +12,7 @@ use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::{scroll, text};
 use crate::core::q_matrix::StereoGeometry;
 use crate::core::quantity::{Length, LengthUnit};
-use depth_text::choices::SENSOR_FORMATS;
+use depth_text::choices::{MATCHING_ERRORS, SENSOR_FORMATS};
 use depth_text::entry::Entry;
 use depth_text::fields;
 use depth_text::note::{Issue, Note};
@@ -66,6 +66,9 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: &Solved)
             match way {
                 Some(way) => way_ui(ui, cx, way, solved.of_way(way)),
                 None => q_matrix::ui(ui, cx, solved.q_matrix.as_ref(), solved.square.as_ref()),
+            }
+            if helper == Helper::Disparity {
+                typical_errors_ui(ui, cx);
             }
         });
         ui.add_space(theme::STEP);
@@ -209,6 +212,29 @@ fn sensor_formats_ui(ui: &mut Ui, entry: &mut Entry) {
         .response
         .accessible_name("Common sensor formats");
     ui.add_space(2.0 * theme::STEP);
+}
+
+/// A choice among the matching errors that people state, for the σ of the disparity.
+fn typical_errors_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    ui.add_space(2.0 * theme::STEP);
+    text::caption_ui(ui, Hint::MatchingErrors.to_string());
+    let sigma = &mut cx.session.inputs.entry_mut(fields::DISPARITY).sigma;
+    let selected = MATCHING_ERRORS.iter().find(|(px, _)| *sigma == plain(*px));
+    let name = |(px, source): &(f64, &str)| format!("± {} px: {source}", plain(*px));
+    ComboBox::from_id_salt("typical matching errors")
+        .width(ui.available_width())
+        .selected_text(selected.map_or_else(|| "Typical matching errors…".to_owned(), name))
+        .show_ui(ui, |ui| {
+            for error in &MATCHING_ERRORS {
+                if ui.selectable_label(selected == Some(error), name(error)).clicked() {
+                    *sigma = plain(error.0);
+                    cx.commands.push(Command::Settle);
+                    ui.close();
+                }
+            }
+        })
+        .response
+        .accessible_name("Typical matching errors");
 }
 
 fn use_button_ui(ui: &mut Ui, label: &str, enabled: bool) -> bool {

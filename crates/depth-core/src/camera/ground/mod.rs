@@ -3,6 +3,7 @@
 mod ray;
 
 use crate::angle::Angle;
+use crate::arithmetic::root_sum_of_squares;
 use crate::field::Field;
 use crate::judge::{self, Refusal, Term, Unsolvable};
 use crate::measured::Measured;
@@ -67,6 +68,18 @@ pub struct GroundSolution {
     pub horizon_row: Option<Pixels>,
     /// The term behind most of the σ of the distance; `None` where it has none.
     pub main_cause: Option<Term>,
+    /// How far below the optical axis the point is seen, α.
+    pub below_axis: Angle,
+    /// How far it is along the optical axis: what its column is counted at.
+    pub depth: Length,
+    /// How many columns it is to the right of the principal point, u − cx; `None` without a column.
+    pub aside: Option<Pixels>,
+    /// What each term has of the variance of [`ahead`](Self::ahead), 0 to 1; they add to 1, or are 0 where all is exact.
+    pub ahead_shares: [(Term, f64); 4],
+    /// The same of [`right`](Self::right).
+    pub right_shares: [(Term, f64); 4],
+    /// The same of [`distance`](Self::distance).
+    pub distance_shares: [(Term, f64); 4],
 }
 
 impl GroundView {
@@ -118,17 +131,37 @@ impl GroundView {
             slant: measured(&slant)?,
             horizon_row: self.horizon_row(),
             main_cause,
+            below_axis: Angle::from_radians(ray.y.atan()),
+            depth: Length::from_m(ray.s),
+            aside: self.right_of_axis.map(|right| Pixels::new(right.column.px() - right.cx.px())),
+            ahead_shares: self.of_variance(ray.shares(&ahead)),
+            right_shares: self.of_variance(ray.shares(&right)),
+            distance_shares: self.of_variance(ray.shares(&distance)),
         })
     }
 
-    /// The term with the largest of these [shares](Ray::shares).
-    fn main_cause(&self, shares: [f64; 4]) -> Option<Term> {
+    /// What has a σ, in the order of the [shares](Ray::shares).
+    const fn terms(&self) -> [Term; 4] {
         let below_axis = match self.below_axis {
             BelowAxis::Row { .. } => Term::Row,
             BelowAxis::Angle(_) => Term::BelowAxis,
         };
-        let terms = [Term::CameraHeight, Term::Pitch, below_axis, Term::Input(Field::FocalLength)];
-        let shares = terms.into_iter().zip(shares.map(f64::abs));
+        [Term::CameraHeight, Term::Pitch, below_axis, Term::Input(Field::FocalLength)]
+    }
+
+    /// The parts of the variance that these [shares](Ray::shares) of σ are.
+    fn of_variance(&self, shares: [f64; 4]) -> [(Term, f64); 4] {
+        let total = root_sum_of_squares(&shares);
+        let mut parts = self.terms().map(|term| (term, 0.0));
+        for ((_, part), share) in parts.iter_mut().zip(shares) {
+            *part = if total > 0.0 { (share / total) * (share / total) } else { 0.0 };
+        }
+        parts
+    }
+
+    /// The term with the largest of these [shares](Ray::shares).
+    fn main_cause(&self, shares: [f64; 4]) -> Option<Term> {
+        let shares = self.terms().into_iter().zip(shares.map(f64::abs));
         let largest = shares.max_by(|(_, a), (_, b)| a.total_cmp(b));
         largest.filter(|(_, share)| *share > 0.0).map(|(term, _)| term)
     }

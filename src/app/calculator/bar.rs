@@ -1,0 +1,138 @@
+//! The bar at the foot of a phone: it keeps the answer in sight, or says what is missing and goes there.
+
+use super::strip::{badge_colors, colors, value_job};
+use crate::app::command::Command;
+use crate::app::context::AppContext;
+use crate::app::sentences::Hint;
+use crate::app::theme;
+use crate::app::widgets::{symbols, text};
+use depth_text::field::Key;
+use depth_text::report::strip::{Cell, Value};
+use egui::text::{LayoutJob, TextFormat};
+use egui::{Align, Label, Layout, Rect, Sense, Stroke, Ui, UiBuilder, vec2};
+use std::fmt::Debug;
+use std::hash::Hash;
+
+/// The contents of the bar that keeps the answer in sight on a phone: the answer, or what is missing and a button that goes there.
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    let strip = cx.strip();
+    let headline = cx.mode().headline();
+    let numbers = strip.cells.iter().filter(|cell| matches!(cell.value, Value::Number { .. })).count();
+    // Each line has its place, whatever else is in the bar.
+    let (whole, _) = ui.allocate_exact_size(vec2(ui.available_width(), theme::BAR_HEIGHT), Sense::hover());
+    if numbers == 0
+        && let Some((title, key, count)) = next_missing(&strip.cells)
+    {
+        missing_bar_ui(ui, cx, (title, key, count), whole);
+        return;
+    }
+    let main = strip
+        .cells
+        .get(headline)
+        .filter(|cell| !matches!(cell.value, Value::Nothing | Value::NeedsBoth));
+    let main = main.or_else(|| strip.cells.iter().find(|cell| matches!(cell.value, Value::Number { .. })));
+    let Some(main) = main.or(strip.cells.first()) else { return };
+    bar_answer_ui(ui, main, whole.with_max_x(whole.left() + theme::BAR_ANSWER_WIDTH));
+    let others = strip
+        .cells
+        .iter()
+        .filter(|cell| cell.title != main.title && matches!(cell.value, Value::Number { .. }));
+    let right = whole.with_min_x(whole.left() + theme::BAR_ANSWER_WIDTH + 2.0 * theme::STEP);
+    for (index, (cell, line)) in others.zip(lines(right, right.center().y)).enumerate() {
+        bar_row_ui(ui, cell, line, index);
+    }
+}
+
+/// The upper and the lower line of `rect`, divided at `y`.
+fn lines(rect: Rect, y: f32) -> [Rect; 2] {
+    let (upper, lower) = rect.split_top_bottom_at_y(y);
+    [upper, lower]
+}
+
+/// What is drawn in `line`, from its left edge.
+fn line_ui(ui: &mut Ui, id: impl Hash + Debug, line: Rect) -> Ui {
+    let layout = Layout::left_to_right(Align::Center);
+    let mut ui = ui.new_child(UiBuilder::new().id_salt(id).max_rect(line).layout(layout));
+    ui.spacing_mut().item_spacing.x = 2.0 * theme::STEP;
+    ui.spacing_mut().interact_size.y = 0.0;
+    ui
+}
+
+/// The field that is to be filled in next: that of the method which lacks the fewest.
+fn next_missing(cells: &[Cell]) -> Option<(&str, Key, usize)> {
+    let lacking = cells.iter().filter_map(|cell| match &cell.value {
+        Value::Needs(keys) => Some((cell.title.as_str(), *keys.first()?, keys.len())),
+        _ => None,
+    });
+    lacking.min_by_key(|(_, _, count)| *count)
+}
+
+fn missing_bar_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (title, key, count): (&str, Key, usize), whole: Rect) {
+    let palette = theme::palette(ui);
+    let [upper, lower] = lines(whole, whole.top() + theme::BAR_TITLE_HEIGHT);
+    let words = Hint::StillNeeds {
+        title: title.to_owned(),
+        count,
+    }
+    .to_string();
+    line_ui(ui, "title", upper).label(egui::RichText::new(words).size(theme::SMALL_SIZE).color(palette.blue));
+    let format = TextFormat::simple(theme::strong(theme::SENTENCE_SIZE), palette.text);
+    let mut job = LayoutJob::default();
+    job.append(key.label, 0.0, format.clone());
+    if key.shows_symbol() {
+        job.append(" ", 0.0, format.clone());
+        symbols::append(&mut job, key.symbol, &format);
+    }
+    line_ui(ui, "value", lower).label(job);
+    let end = Layout::right_to_left(Align::Center);
+    ui.scope_builder(UiBuilder::new().id_salt("end").max_rect(whole).layout(end), |ui| {
+        let format = TextFormat::simple(theme::strong(theme::BODY_SIZE), palette.on_blue);
+        let mut job = LayoutJob::default();
+        job.append("Enter ", 0.0, format.clone());
+        symbols::append(&mut job, if key.shows_symbol() { key.symbol } else { key.label }, &format);
+        let button = egui::Button::new(job).fill(palette.blue).stroke(Stroke::NONE);
+        let response = ui.add(button.min_size(vec2(theme::BAR_BUTTON_WIDTH, cx.layout.control_height())));
+        if response.accessible_name(format!("Enter {}", key.name)).clicked() {
+            cx.commands.push(Command::GoTo(key));
+        }
+    });
+}
+
+/// The name and the number of the answer, one above the other.
+fn bar_answer_ui(ui: &mut Ui, cell: &Cell, whole: Rect) {
+    let palette = theme::palette(ui);
+    let [upper, lower] = lines(whole, whole.top() + theme::BAR_TITLE_HEIGHT);
+    let mut title = line_ui(ui, "title", upper);
+    title.label(egui::RichText::new(&cell.title).size(theme::SMALL_SIZE).color(palette.muted));
+    if let Some(badge) = cell.badge {
+        let [front, back] = badge_colors(palette, badge);
+        text::badge_ui(&mut title, badge.text, front, back);
+    }
+    let mut below = line_ui(ui, "value", lower);
+    match &cell.value {
+        value @ Value::Number { .. } => _ = below.label(value_job(palette, value, theme::BAR_RESULT_SIZE, lower.width())),
+        other => {
+            let color = cell.badge.map_or(palette.muted, |badge| badge_colors(palette, badge)[0]);
+            let format = TextFormat::simple(theme::strong(theme::BODY_SIZE), color);
+            below.add(Label::new(symbols::job(palette, &other.text(), &format, false)).truncate());
+        }
+    }
+}
+
+/// One of the other answers in its `line`: its name, and at the end its number.
+fn bar_row_ui(ui: &mut Ui, cell: &Cell, line: Rect, index: usize) {
+    let palette = theme::palette(ui);
+    let [_, color] = colors(palette, cell.tone);
+    let number = ui
+        .painter()
+        .layout_job(value_job(palette, &cell.value, theme::SMALL_SIZE, line.width()));
+    // Sooner than the number the name is cut.
+    let left = line.with_max_x(line.right() - number.size().x - theme::STEP);
+    let name = egui::RichText::new(&cell.title).size(theme::SMALL_SIZE).color(color);
+    line_ui(ui, ("name", index), left).add(Label::new(name).truncate());
+    let place = UiBuilder::new()
+        .id_salt(("number", index))
+        .max_rect(line)
+        .layout(Layout::right_to_left(Align::Center));
+    ui.new_child(place).label(number);
+}

@@ -1,0 +1,56 @@
+//! What stands there before anything is known: what the letters mean, and the example in the empty fields.
+
+use super::card::Card;
+use crate::app::command::Command;
+use crate::app::context::AppContext;
+use crate::app::sentences::{Description, Hint, NoticeText};
+use crate::app::theme;
+use crate::app::widgets::cards::{self, Frame};
+use crate::app::widgets::{field, figure, picture, text};
+use depth_figures::letters;
+use depth_text::field::Key;
+use depth_text::form::Example;
+use depth_text::report::strip::Mode;
+use egui::{Button, Sense, Ui, vec2};
+
+/// Whether there is nothing yet to draw pictures of, nor was there.
+pub fn is_shown(cx: &AppContext<'_>) -> bool {
+    cx.mode() == Mode::Distance && !cx.session.has_answer() && !cx.session.had_answer()
+}
+
+/// The picture of what the letters mean, that of the field in use marked; in a card at least `height` high.
+pub fn letters_ui(ui: &mut Ui, height: f32) {
+    let is_narrow = ui.available_width() < theme::DESCRIBED_TABLE_WIDTH;
+    let frame = Frame {
+        title: Card::Letters.title(),
+        caption: if is_narrow { letters::SHORT_CAPTION } else { letters::CAPTION },
+        height: None,
+    };
+    frame.ui(ui, Card::Letters, |ui| {
+        let focused = ui.memory(|memory| memory.focused());
+        let used = Key::form().find(|&key| focused == Some(field::id(key))).map(|key| key.symbol);
+        let drawn = letters::figure(ui.available_width(), used, &figure::Fonts(ui.painter()));
+        let size = vec2(drawn.width, drawn.height.max(cards::figure_height(height)));
+        let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+        figure::paint(ui, &drawn, rect.min);
+        picture::describe(ui, &response, Card::Letters.title(), &Description::Letters);
+    });
+}
+
+/// The example in words, and the button that takes its numbers.
+pub fn example_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    let frame = Frame {
+        title: Card::Example.title(),
+        caption: "type to replace",
+        height: None,
+    };
+    frame.ui(ui, Card::Example, |ui| {
+        text::paragraph_ui(ui, &Hint::ExampleInGray.to_string());
+        ui.add_space(2.0 * theme::STEP);
+        let size = vec2(theme::EXAMPLE_BUTTON_WIDTH, cx.layout.control_height());
+        if ui.add_sized(size, Button::new("Use these numbers")).clicked() {
+            let inputs = Example::Parcel.inputs();
+            cx.commands.push(Command::Open(Box::new(inputs), NoticeText::FilledByExample));
+        }
+    });
+}

@@ -1,0 +1,122 @@
+//! Files that the program gives out: into the folder for downloads, never over another.
+
+use crate::app::{FileContents, PlatformError};
+use std::borrow::Cow;
+use std::fs::{self, File};
+use std::io::{Error, ErrorKind, Write as _};
+use std::path::{Path, PathBuf};
+
+/// Nobody has more files of one name.
+const MOST: u32 = 10_000;
+
+/// The person's folder for downloads, else the home folder.
+///
+/// # Errors
+/// [`PlatformError::NoHomeFolder`].
+pub fn folder() -> Result<PathBuf, PlatformError> {
+    let folders = directories::UserDirs::new().ok_or(PlatformError::NoHomeFolder)?;
+    Ok(folders.download_dir().unwrap_or_else(|| folders.home_dir()).to_owned())
+}
+
+/// Writes a file with this name into `folder`, or one with a number where that is taken. Returns where it is.
+///
+/// # Errors
+/// Why it cannot be written; there is then no part of it.
+pub fn save(folder: &Path, name: &str, contents: &FileContents) -> Result<PathBuf, PlatformError> {
+    let bytes = match contents {
+        FileContents::Picture(picture) => Cow::Owned(png(picture).map_err(|error| PlatformError::NoPng { reason: error.to_string() })?),
+        FileContents::Page(html) => Cow::Borrowed(html.as_bytes()),
+    };
+    let refused = |file: &Path, error: &Error| PlatformError::NotSaved {
+        file: file.to_owned(),
+        reason: error.to_string(),
+    };
+    fs::create_dir_all(folder).map_err(|error| refused(folder, &error))?;
+    for number in 1..=MOST {
+        let path = numbered(folder, name, number);
+        match File::create_new(&path) {
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(refused(&path, &error)),
+            Ok(mut file) => {
+                if let Err(error) = file.write_all(&bytes) {
+                    fs::remove_file(&path).ok();
+                    return Err(refused(&path, &error));
+                }
+                return Ok(path);
+            }
+        }
+    }
+    Err(refused(&numbered(folder, name, MOST), &ErrorKind::AlreadyExists.into()))
+}
+
+/// "top-view.png", "top-view-2.png" and so on.
+fn numbered(folder: &Path, name: &str, number: u32) -> PathBuf {
+    match name.rsplit_once('.') {
+        Some((stem, ending)) if number > 1 => folder.join(format!("{stem}-{number}.{ending}")),
+        _ => folder.join(name),
+    }
+}
+
+/// `picture` as PNG, without its transparency.
+fn png(picture: &egui::ColorImage) -> Result<Vec<u8>, png::EncodingError> {
+    let [width, height] = picture.size.map(|pixels| u32::try_from(pixels).unwrap_or(u32::MAX));
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    let pixels: Vec<u8> = picture.pixels.iter().flat_map(|pixel| [pixel.r(), pixel.g(), pixel.b()]).collect();
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&pixels)?;
+    writer.finish()?;
+    Ok(bytes)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use egui::{Color32, ColorImage};
+
+    /// An empty folder of this test alone.
+    fn empty_folder(name: &str) -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("depth-calculator-{}-{name}", std::process::id()));
+        fs::remove_dir_all(&folder).ok();
+        folder
+    }
+
+    #[test]
+    fn a_file_never_takes_the_place_of_another() {
+        let folder = empty_folder("names");
+        let page = |text: &str| FileContents::Page(text.to_owned());
+        let first = save(&folder, "report.html", &page("first")).unwrap();
+        let second = save(&folder, "report.html", &page("second")).unwrap();
+        assert_eq!([&first, &second], [&folder.join("report.html"), &folder.join("report-2.html")]);
+        assert_eq!([first, second].map(|file| fs::read_to_string(file).unwrap()), ["first", "second"]);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn a_picture_is_written_pixel_for_pixel() {
+        let folder = empty_folder("pixels");
+        let mut picture = ColorImage::filled([3, 2], Color32::WHITE);
+        *picture.pixels.last_mut().unwrap() = Color32::from_rgb(1, 2, 3);
+        let file = save(&folder, "chart.png", &FileContents::Picture(picture)).unwrap();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(fs::read(file).unwrap()))
+            .read_info()
+            .unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut pixels).unwrap();
+        assert_eq!((info.width, info.height), (3, 2));
+        assert_eq!(pixels.last_chunk(), Some(&[1, 2, 3]));
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn a_folder_that_cannot_be_written_is_named() {
+        let folder = empty_folder("file");
+        fs::write(&folder, "no folder").unwrap();
+        let error = save(&folder, "report.html", &FileContents::Page(String::new())).unwrap_err();
+        assert!(matches!(&error, PlatformError::NotSaved { file, .. } if *file == folder), "{error}");
+        fs::remove_file(folder).unwrap();
+    }
+}
