@@ -238,6 +238,8 @@ async function rebuilt(page) {
 it('after a random walk the mirror is what it would be if it were made anew', async (test) => {
   const page = await bench.page(test);
   await page.start();
+  // The dialog for printing is the browser's, and in Firefox the page waits for it.
+  await page.run('window.print = () => {}');
   const random = randomNumbers(SEED);
   let compared = 0;
   const walked = [];
