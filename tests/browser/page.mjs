@@ -28,6 +28,7 @@ const PATIENCE_MS = 120_000;
 const WITHOUT = {
   webgl: 'HTMLCanvasElement.prototype.getContext = () => null',
   webassembly: 'delete globalThis.WebAssembly',
+  letters: 'CanvasRenderingContext2D.prototype.measureText = () => { throw new Error("no letters") }',
 };
 
 const PHONE = { width: 390, height: 844, scale: 3 };

@@ -26,6 +26,8 @@ pub struct Functions {
     /// By number of the function, imports included.
     names: HashMap<u32, String>,
     types: Vec<u32>,
+    /// How many values a function of each type returns.
+    results: Vec<usize>,
     bytes: Vec<usize>,
 }
 
@@ -38,6 +40,11 @@ impl Functions {
                 Payload::ImportSection(section) => {
                     for import in section.into_imports() {
                         functions.imported += u32::from(matches!(import?.ty, TypeRef::Func(_)));
+                    }
+                }
+                Payload::TypeSection(section) => {
+                    for ty in section.into_iter_err_on_gc_types() {
+                        functions.results.push(ty?.results().len());
                     }
                 }
                 Payload::FunctionSection(section) => functions.types = section.into_iter().collect::<Result<_, _>>()?,
@@ -67,6 +74,12 @@ impl Functions {
     pub fn name(&self, at: usize) -> &str {
         let index = u32::try_from(at).ok().and_then(|at| at.checked_add(self.imported));
         index.and_then(|index| self.names.get(&index)).map_or("", String::as_str)
+    }
+
+    /// How many values the function at `at` returns.
+    pub fn results(&self, at: usize) -> usize {
+        let ty = self.types.get(at).and_then(|&ty| usize::try_from(ty).ok());
+        ty.and_then(|ty| self.results.get(ty)).copied().unwrap_or_default()
     }
 
     /// How many there are, imports left out.

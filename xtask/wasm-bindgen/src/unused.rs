@@ -42,17 +42,6 @@ const UNUSED: &[&[&str]] = &[
     &["8dispatch15single_threaded", "10Dispatcher11stroke_path"],
     &["5kurbo6offset", "11CubicOffset10offset_rec"],
     &["5kurbo6offset", "12offset_cubic"],
-    // egui gives the shaper only what the fonts of the program have signs for, and these have none of the scripts that need more than
-    // to be put side by side; nor does it name a language. 16 kB.
-    &["8harfrust2hb", "33preprocess_text_vowel_constraints"],
-    &["8harfrust2hb9tag_table", "26tags_from_complex_language"],
-    &["8harfrust2hb15ot_shaper_indic", "18initial_reordering"],
-    &["8harfrust2hb15ot_shaper_indic", "16final_reordering"],
-    &["8harfrust2hb15ot_shaper_indic", "16would_substitute"],
-    &["8harfrust2hb16ot_shaper_hangul", "22preprocess_text_hangul"],
-    &["8harfrust2hb13ot_shaper_use", "15setup_syllables"],
-    &["8harfrust2hb15ot_shaper_khmer", "13reorder_khmer"],
-    &["8harfrust2hb17ot_shaper_myanmar", "15reorder_myanmar"],
     // The fonts, which come with the program, have TrueType outlines without instructions: no PostScript, no variable components, no
     // bytecode, and no tables of Apple's. 25 kB.
     &["10read_fonts2ps2cs", "17evaluate_operator"],
@@ -64,26 +53,48 @@ const UNUSED: &[&[&str]] = &[
     &["10read_fonts6tables4morx", "8Subtable4kind"],
     &["10read_fonts6tables4kerx", "8Subtable4kind"],
     &["10read_fonts2ps3cff4dict", "11parse_entry"],
+    // No language is named to the shaper.
+    &["8harfrust2hb9tag_table", "26tags_from_complex_language"],
 ];
 
-/// `module` with an instruction that traps in place of what [`UNUSED`] names.
+/// The functions that are called, and whose work is not seen: they may do nothing, and answer that they changed nothing.
+const UNSEEN: &[&[&str]] = &[
+    // No font of the program has signs of the scripts whose syllables are put into another order. Where the browser has none either,
+    // each is a box, in whatever order. 16 kB.
+    &["8harfrust2hb", "33preprocess_text_vowel_constraints"],
+    &["8harfrust2hb15ot_shaper_indic", "18initial_reordering"],
+    &["8harfrust2hb15ot_shaper_indic", "16final_reordering"],
+    &["8harfrust2hb15ot_shaper_indic", "16would_substitute"],
+    &["8harfrust2hb16ot_shaper_hangul", "22preprocess_text_hangul"],
+    &["8harfrust2hb13ot_shaper_use", "15setup_syllables"],
+    &["8harfrust2hb15ot_shaper_khmer", "13reorder_khmer"],
+    &["8harfrust2hb17ot_shaper_myanmar", "15reorder_myanmar"],
+];
+
+/// `module` with an instruction that traps in place of what [`UNUSED`] names, and nothing in place of what [`UNSEEN`] names.
 ///
 /// # Errors
-/// Where a function of the list is not in the module: then the list is too long.
+/// Where a function of the lists is not in the module: then they are too long.
 pub fn without_unused(module: &[u8]) -> Result<Vec<u8>> {
-    without(module, UNUSED)
+    without(module, UNUSED, UNSEEN)
 }
 
-fn without(module: &[u8], unused: &[&[&str]]) -> Result<Vec<u8>> {
+fn without(module: &[u8], unused: &[&[&str]], unseen: &[&[&str]]) -> Result<Vec<u8>> {
     let functions = Functions::read(module)?;
     let is_named = |name: &str, parts: &[&str]| parts.iter().all(|part| name.contains(part));
-    for parts in unused {
+    for parts in unused.iter().chain(unseen) {
         let found = (0..functions.len()).any(|at| is_named(functions.name(at), parts));
         ensure!(found, "no function of the module is called {}", parts.join("…"));
     }
-    let emptied = (0..functions.len()).map(|at| unused.iter().any(|parts| is_named(functions.name(at), parts)));
+    let instead = (0..functions.len()).map(|at| {
+        let is_in = |list: &[&[&str]]| list.iter().any(|parts| is_named(functions.name(at), parts));
+        if is_in(unused) {
+            return Some(vec![Instruction::Unreachable]);
+        }
+        is_in(unseen).then(|| vec![Instruction::I32Const(0); functions.results(at)])
+    });
     let mut writer = Writer {
-        emptied: emptied.collect(),
+        instead: instead.collect(),
         at: 0,
     };
     let mut out = Module::new();
@@ -92,8 +103,8 @@ fn without(module: &[u8], unused: &[&[&str]]) -> Result<Vec<u8>> {
 }
 
 struct Writer {
-    /// For each function, imports left out, whether it is emptied.
-    emptied: Vec<bool>,
+    /// For each function, imports left out, what is put in place of its body.
+    instead: Vec<Option<Vec<Instruction<'static>>>>,
     at: usize,
 }
 
@@ -101,13 +112,15 @@ impl Reencode for Writer {
     type Error = Infallible;
 
     fn parse_function_body(&mut self, code: &mut CodeSection, body: FunctionBody<'_>) -> Result<(), Error> {
-        let is_emptied = self.emptied.get(self.at).copied().unwrap_or(false);
+        let instead = self.instead.get_mut(self.at).and_then(Option::take);
         self.at += 1;
-        if !is_emptied {
+        let Some(instead) = instead else {
             return wasm_encoder::reencode::utils::parse_function_body(self, code, body);
-        }
+        };
         let mut function = Function::new([]);
-        function.instruction(&Instruction::Unreachable).instruction(&Instruction::End);
+        for instruction in instead.iter().chain([&Instruction::End]) {
+            function.instruction(instruction);
+        }
         code.function(&function);
         Ok(())
     }
@@ -119,25 +132,55 @@ mod tests {
 
     use super::without;
     use crate::order::tests::module;
-    use wasmparser::{Operator, Parser, Payload};
+    use wasm_encoder::{CodeSection, Function, FunctionSection, Instruction, Module, NameMap, NameSection, TypeSection, ValType};
+    use wasmparser::{Parser, Payload};
+
+    /// The first instruction of each function.
+    fn first(module: &[u8]) -> Vec<String> {
+        let bodies = Parser::new(0).parse_all(module).filter_map(|payload| match payload.unwrap() {
+            Payload::CodeSectionEntry(body) => Some(format!("{:?}", body.get_operators_reader().unwrap().read().unwrap())),
+            _ => None,
+        });
+        bodies.collect()
+    }
 
     #[test]
     fn only_what_is_named_is_emptied() {
-        let out = without(&module(), &[&["A as", "T>"]]).unwrap();
-        let mut first = Vec::new();
-        for payload in Parser::new(0).parse_all(&out) {
-            if let Payload::CodeSectionEntry(body) = payload.unwrap() {
-                first.push(matches!(
-                    body.get_operators_reader().unwrap().read().unwrap(),
-                    Operator::Unreachable
-                ));
-            }
-        }
-        assert_eq!(first, [false, true, false]);
+        let before = first(&module());
+        let after = first(&without(&module(), &[&["A as", "T>"]], &[]).unwrap());
+        assert_eq!(after, [before[0].as_str(), "Unreachable", before[2].as_str()]);
+    }
+
+    #[test]
+    fn what_is_not_seen_does_nothing_and_returns() {
+        let emptied = without(&module(), &[], &[&["A as", "T>"]]).unwrap();
+        assert_eq!(first(&emptied)[1], "End");
+        wasmparser::validate(&emptied).unwrap();
+
+        let emptied = without(&answers(), &[], &[&["answers"]]).unwrap();
+        assert_eq!(first(&emptied), ["I32Const { value: 0 }"]);
+        wasmparser::validate(&emptied).unwrap();
+    }
+
+    /// A module of a function that answers with 7.
+    fn answers() -> Vec<u8> {
+        let (mut types, mut functions, mut code) = (TypeSection::new(), FunctionSection::new(), CodeSection::new());
+        let (mut names, mut name_section) = (NameMap::new(), NameSection::new());
+        types.ty().function([], [ValType::I32]);
+        functions.function(0);
+        let mut function = Function::new([]);
+        function.instruction(&Instruction::I32Const(7)).instruction(&Instruction::End);
+        code.function(&function);
+        names.append(0, "answers");
+        name_section.functions(&names);
+        let mut module = Module::new();
+        module.section(&types).section(&functions).section(&code).section(&name_section);
+        module.finish()
     }
 
     #[test]
     fn what_is_not_there_is_an_error() {
-        assert!(without(&module(), &[&["no such function"]]).is_err());
+        assert!(without(&module(), &[&["no such function"]], &[]).is_err());
+        assert!(without(&module(), &[], &[&["no such function"]]).is_err());
     }
 }
