@@ -117,6 +117,9 @@ fn look_from(screen: &str, views: &[View], stored: &RefCell<Option<String>>, pre
             program.grow_to_contents(view.size);
         }
         program.harness.run();
+        let shapes = &program.harness.output().shapes;
+        let cut = shapes.iter().flat_map(|shape| cut_texts(&shape.shape));
+        problems.extend(cut.map(|text| format!("{screen}-{}: {text:?} is cut", view.name)));
         let image = view.cut(painter.draw(&program.harness.ctx, program.harness.output()));
         problems.extend(images::compare(&image, &format!("{screen}-{}", view.name), renderer).err());
     }
@@ -168,13 +171,25 @@ impl Program {
         self.harness.run();
         self.harness.set_size(size);
         self.harness.run();
-        let nodes = self.harness.root().children_recursive();
-        let bottoms = nodes
-            .filter(|node| node.accesskit_node().raw_bounds().is_some())
-            .map(|node| node.rect().bottom());
-        let bottom = bottoms.fold(size.y - BARS, f32::max);
-        self.harness.set_size(vec2(size.x, (bottom + BARS).ceil().min(TALL)));
-        self.harness.run();
+        // Pictures grow with the window, so that it may take a second time.
+        for _ in 0..4 {
+            let nodes = self.harness.root().children_recursive();
+            let bottoms = nodes
+                .filter(|node| node.accesskit_node().raw_bounds().is_some())
+                .map(|node| node.rect().bottom());
+            let bottom = bottoms.fold(size.y - BARS, f32::max);
+            self.harness.set_size(vec2(size.x, (bottom + BARS).ceil().min(TALL)));
+            self.harness.run();
+        }
+    }
+}
+
+/// What is drawn with "…" in place of its end.
+fn cut_texts(shape: &egui::Shape) -> Vec<String> {
+    match shape {
+        egui::Shape::Text(text) if text.galley.elided => vec![text.galley.text().to_owned()],
+        egui::Shape::Vec(shapes) => shapes.iter().flat_map(cut_texts).collect(),
+        _ => Vec::new(),
     }
 }
 

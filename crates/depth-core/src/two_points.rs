@@ -46,10 +46,10 @@ pub struct TwoPoints {
 pub struct TwoPointsSolution {
     /// The length between them, with its first-order σ.
     pub distance: Measured<Length>,
-    /// To the right.
-    pub dx: Length,
-    /// Down.
-    pub dy: Length,
+    /// To the right, with its first-order σ.
+    pub dx: Measured<Length>,
+    /// Down, with its first-order σ.
+    pub dy: Measured<Length>,
     /// Away from the camera: the difference of their depths, with its first-order σ.
     pub dz: Measured<Length>,
 }
@@ -108,7 +108,7 @@ impl TwoPoints {
         let [x1, y1, z1] = from.at;
         let [x2, y2, z2] = to.at;
         let difference = [x2 - x1, y2 - y1, z2 - z1];
-        let [dx, dy, dz] = difference;
+        let [_, _, dz] = difference;
         let distance = root_sum_of_squares(&difference);
         let (rb, rf) = (self.baseline.relative(), self.fx.relative());
         let sigma_doffs = self.doffs.sigma.px();
@@ -124,22 +124,33 @@ impl TwoPoints {
             distance * rb,
             if distance == 0.0 { 0.0 } else { dz * (dz / distance) * rf },
         ]);
-        let sigma_dz = root_sum_of_squares(&[
-            z1 * from.per_pixel * from.sigma,
-            z2 * to.per_pixel * to.sigma,
-            (z2 * to.per_pixel - z1 * from.per_pixel) * sigma_doffs,
-            dz * rb,
-            dz * rf,
-        ]);
-        if !(distance.is_finite() && sigma.is_finite() && sigma_dz.is_finite()) {
+        // The difference of one coordinate, of which a part `scale` is as uncertain as the focal length.
+        let side = |first: f64, second: f64, scale: f64| {
+            let difference = second - first;
+            let sigma = root_sum_of_squares(&[
+                first * from.per_pixel * from.sigma,
+                second * to.per_pixel * to.sigma,
+                (second * to.per_pixel - first * from.per_pixel) * sigma_doffs,
+                difference * rb,
+                difference * scale * rf,
+            ]);
+            Measured::from_base(difference, sigma)
+        };
+        // Sideways a longer focal length takes away from the angle what it adds to the depth.
+        let solution = TwoPointsSolution {
+            distance: Measured::from_base(distance, sigma),
+            dx: side(x1, x2, 0.0),
+            dy: side(y1, y2, 0.0),
+            dz: side(z1, z2, 1.0),
+        };
+        let all = [solution.distance, solution.dx, solution.dy, solution.dz];
+        if !all
+            .iter()
+            .all(|length| length.value.m().is_finite() && length.sigma.m().is_finite())
+        {
             return Err(Unsolvable::too_extreme(Term::Distance));
         }
-        Ok(TwoPointsSolution {
-            distance: Measured::from_base(distance, sigma),
-            dx: Length::from_m(dx),
-            dy: Length::from_m(dy),
-            dz: Measured::from_base(dz, sigma_dz),
-        })
+        Ok(solution)
     }
 
     fn place(&self, point: &StereoPoint) -> Result<Placed, Unsolvable> {

@@ -7,7 +7,7 @@ use common::{assert_near, px};
 use depth_core::judge::{Refusal, Term, Unsolvable};
 use depth_core::measured::Measured;
 use depth_core::quantity::{Length, LengthUnit};
-use depth_core::two_points::{StereoPoint, TwoPoints};
+use depth_core::two_points::{StereoPoint, TwoPoints, TwoPointsSolution};
 use depth_core::two_shots::TwoShots;
 use proptest::prelude::*;
 
@@ -97,17 +97,43 @@ fn two_stereo_points_are_a_length_apart() {
     assert_near(solution.distance.sigma.m(), 0.0112, 5e-5);
     // 33.9675/30 − 33.9675/36
     assert_near(solution.dz.value.m(), 0.188_708, 1e-6);
-    assert_near(solution.dx.m(), 0.247_979, 1e-6);
-    assert_near(solution.dy.m(), -0.018_55, 1e-6);
+    assert_near(solution.dx.value.m(), 0.247_979, 1e-6);
+    assert_near(solution.dy.value.m(), -0.018_55, 1e-6);
 }
 
 #[test]
 fn the_sigma_of_a_length_between_two_points_is_what_its_inputs_move() {
     let base = pair_of_points(0.0);
-    let length = |pair: TwoPoints| pair.solve().unwrap().distance.value.m();
-    let sigma = |pair: TwoPoints| pair.solve().unwrap().distance.sigma.m();
+    let all = |pair: TwoPoints| {
+        let TwoPointsSolution { distance, dx, dy, dz } = pair.solve().unwrap();
+        [distance, dx, dy, dz]
+    };
     let step = 1e-4;
-    let cases: [(TwoPoints, TwoPoints); 3] = [
+    let disparity = |point: StereoPoint, value: f64, sigma: f64| StereoPoint {
+        disparity: Measured::from_base(value, sigma),
+        ..point
+    };
+    let cases: [(TwoPoints, TwoPoints); 5] = [
+        (
+            TwoPoints {
+                from: disparity(base.from, 36.0 + step, 0.0),
+                ..base
+            },
+            TwoPoints {
+                from: disparity(base.from, 36.0, step),
+                ..base
+            },
+        ),
+        (
+            TwoPoints {
+                to: disparity(base.to, 30.0 + step, 0.0),
+                ..base
+            },
+            TwoPoints {
+                to: disparity(base.to, 30.0, step),
+                ..base
+            },
+        ),
         (
             TwoPoints {
                 doffs: Measured::from_base(step, 0.0),
@@ -141,7 +167,10 @@ fn the_sigma_of_a_length_between_two_points_is_what_its_inputs_move() {
         ),
     ];
     for (moved, uncertain) in cases {
-        assert_near((length(moved) - length(base)).abs() / sigma(uncertain), 1.0, 1e-3);
+        for ((moved, base), uncertain) in all(moved).into_iter().zip(all(base)).zip(all(uncertain)) {
+            let change = (moved.value.m() - base.value.m()).abs();
+            assert_near(change, uncertain.sigma.m(), 1e-3 * uncertain.sigma.m() + 1e-12);
+        }
     }
 }
 

@@ -11,6 +11,7 @@ pub mod curve;
 mod figure;
 mod floor;
 pub mod ground;
+pub mod histogram;
 mod ink;
 mod labels;
 pub mod letters;

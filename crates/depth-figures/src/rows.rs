@@ -15,8 +15,11 @@ const TRACK_AT: f32 = 19.0;
 const BELOW_AXIS: f32 = 40.0;
 /// Between the last row and the axis, points.
 const ABOVE_AXIS: f32 = 6.0;
-/// The height of a bar, points.
-const BAR: f32 = 16.0;
+/// The height of a bar at least and at most, and as a part of its track, points.
+const BAR: [f32; 2] = [16.0, 24.0];
+const BAR_SHARE: f32 = 0.36;
+/// What is left free at the right of an axis from zero, so that its last label stands below its tick, points.
+const END: f32 = 12.0;
 /// What is left free at both ends of an axis around the values, points: at its left the bars are broken.
 const FREE: [f32; 2] = [31.0, 28.0];
 /// How far a label may stand beside its tick, unless that is at an end of the axis, points.
@@ -174,15 +177,20 @@ struct Drawing<'a> {
 
 impl Drawing<'_> {
     fn x(&self, value: f64) -> f32 {
-        let width = self.figure.width;
-        self.axis.as_ref().map_or(0.0, |axis| axis.position(value, 0.0, width))
+        let right = self.axis_width();
+        self.axis.as_ref().map_or(0.0, |axis| axis.position(value, 0.0, right))
+    }
+
+    /// How long the axis is.
+    fn axis_width(&self) -> f32 {
+        self.figure.width - if self.is_broken { 0.0 } else { END }
     }
 
     /// The band and the grid lines, in the tracks only.
     fn background(&mut self, rows: &[(Rect, &RowModel)], band: Option<Span>, axis_y: f32) {
         let Some(axis) = self.axis.clone() else { return };
         let width = self.figure.width;
-        let ticks = axis.ticks_across(width, self.measure);
+        let ticks = axis.ticks_across(self.axis_width(), self.measure);
         for (index, (row, _)) in rows.iter().enumerate() {
             let is_last = index + 1 == rows.len();
             let track = track(*row);
@@ -232,7 +240,9 @@ impl Drawing<'_> {
         let (ink, fill) = inks(looks);
         let y = middle(track);
         let x = self.x(estimate.value);
-        let half = (BAR / 2.0).min(track.height() / 2.0);
+        let [least, most] = BAR;
+        let height = (track.height() * BAR_SHARE).clamp(least, most);
+        let half = (height / 2.0).min(track.height() / 2.0);
         if self.has_bars {
             let bar = Rect::new(0.0, y - half, x, y + half);
             self.figure.rect(bar, 0.0, fill);
@@ -242,7 +252,7 @@ impl Drawing<'_> {
         }
         if let Some([one, two]) = estimate.intervals {
             self.interval(y, two, Stroke::new(ink, 2.0));
-            self.interval(y, one, Stroke::new(ink, 6.0));
+            self.interval(y, one, Stroke::new(ink, 6.0 * height / least));
         }
         let center = Point::new(x.clamp(6.5, self.figure.width - 6.5), y);
         if looks == Looks::Stale {
@@ -335,7 +345,7 @@ impl Drawing<'_> {
         let line = Stroke::new(Ink::Border, 1.0);
         self.figure.line(Point::new(0.0, y), Point::new(width, y), line);
         let Some(axis) = self.axis.clone() else { return };
-        for tick in axis.ticks_across(width, self.measure) {
+        for tick in axis.ticks_across(self.axis_width(), self.measure) {
             let x = self.x(tick.value);
             let half = crate::axis::width(&tick.label, self.measure) / 2.0;
             let mark = x.clamp(0.5, width - 0.5);

@@ -413,7 +413,7 @@ table! {
     /// D, where something else is solved for.
     DISTANCE = FieldSpec {
         key: "distance", name: "Distance (D)", symbol: "D", noun: "the distance", examples: &["1.4"], has_sigma: true,
-        hint: "Along the optical axis, from the lens centers",
+        hint: "Along the axis, from the lens",
         option: option(
             "distance",
             "With --solve-for: the distance along the optical axis; bare: in m",

@@ -280,8 +280,11 @@ fn unreadable(key: Key, entry: &Entry, error: NumberError) -> Note {
             few: few.clone(),
         },
     };
-    let fixes = readings
-        .into_iter()
-        .map(|reading| Fix::new(reading.clone(), Entry::new(reading, entry.unit)));
+    // No correction is one that the field refuses.
+    let fixes = readings.into_iter().map(|reading| {
+        let unsigned = reading.strip_prefix(['-', '−']).filter(|_| !key.signed);
+        let reading = unsigned.map(str::to_owned).unwrap_or(reading);
+        Fix::new(reading.clone(), Entry::new(reading, entry.unit))
+    });
     Note::error(key, issue).with_fixes(fixes.collect())
 }

@@ -236,11 +236,34 @@ impl Style {
 
     /// The 1 σ interval, to the decimals of σ: "1.384…1.416 m".
     pub fn interval(self, uncertainty: &Uncertainty, unit: LengthUnit) -> String {
-        let depth = uncertainty.model.depth();
-        let unit = self.unit_of(depth, unit);
-        let decimals = decimals_beside(depth.in_unit(unit), uncertainty.sigma.in_unit(unit));
+        let depth = Measured::new(uncertainty.model.depth(), uncertainty.sigma);
         let interval = uncertainty.interval;
-        self.range_of(interval.near, interval.far, unit, |end| self.notation.to_decimals(end, decimals))
+        self.range_like(interval.near, interval.far, depth, unit)
+    }
+
+    /// `length` to the decimals of the σ of `like`, in the unit of that: what belongs to a measured length is written as it is.
+    pub fn length_like(self, length: Length, like: Measured<Length>, unit: LengthUnit) -> String {
+        let (unit, write) = self.like(like, unit);
+        format!("{} {}", write(length.in_unit(unit)), unit.symbol())
+    }
+
+    /// [`range`](Self::range) to the decimals of the σ of `like`: "1.13…1.85 m".
+    pub fn range_like(self, near: Length, far: Option<Length>, like: Measured<Length>, unit: LengthUnit) -> String {
+        let (unit, write) = self.like(like, unit);
+        self.range_of(near, far, unit, write)
+    }
+
+    /// The unit that `like` is written in, and how numbers are written that are as precise as it is.
+    fn like(self, like: Measured<Length>, unit: LengthUnit) -> (LengthUnit, impl Fn(f64) -> String) {
+        let unit = self.unit_of(like.value, unit);
+        let (value, sigma) = (like.value.in_unit(unit), like.sigma.in_unit(unit));
+        let is_written_out = self.notation.writes_out(value) && sigma > 0.0;
+        let decimals = is_written_out.then(|| decimals_beside(value, sigma));
+        let write = move |number: f64| match decimals {
+            Some(decimals) => with_minus(&self.notation.to_decimals(number, decimals)),
+            None => self.number(Some(number)),
+        };
+        (unit, write)
     }
 
     /// Value − σ to value + σ of a length, to the decimals of σ: "49.54…50.46 mm".

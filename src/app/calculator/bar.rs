@@ -113,8 +113,10 @@ fn bar_answer_ui(ui: &mut Ui, cell: &Cell, whole: Rect) {
         value @ Value::Number { .. } => _ = below.label(value_job(palette, value, theme::BAR_RESULT_SIZE, lower.width())),
         other => {
             let color = cell.badge.map_or(palette.muted, |badge| badge_colors(palette, badge)[0]);
-            let format = TextFormat::simple(theme::strong(theme::BODY_SIZE), color);
-            below.add(Label::new(symbols::job(palette, &other.text(), &format, false)).truncate());
+            let job = |size| symbols::job(palette, &other.text(), &TextFormat::simple(theme::strong(size), color), false);
+            if let Some(words) = text::fitted(&below, theme::BODY_SIZE, lower.width(), job) {
+                below.add(Label::new(words));
+            }
         }
     }
 }
@@ -123,13 +125,19 @@ fn bar_answer_ui(ui: &mut Ui, cell: &Cell, whole: Rect) {
 fn bar_row_ui(ui: &mut Ui, cell: &Cell, line: Rect, index: usize) {
     let palette = theme::palette(ui);
     let [_, color] = colors(palette, cell.tone);
-    let number = ui
-        .painter()
-        .layout_job(value_job(palette, &cell.value, theme::SMALL_SIZE, line.width()));
-    // Sooner than the number the name is cut.
+    let name = LayoutJob::simple_singleline(cell.title.clone(), theme::regular(theme::SMALL_SIZE), color);
+    let name = ui.painter().layout_job(name);
+    let number = |value: &Value| ui.painter().layout_job(value_job(palette, value, theme::SMALL_SIZE, line.width()));
+    // Where there is no room for both, the number stands without its σ, which is in the strip.
+    let rest = line.width() - name.size().x - theme::STEP;
+    let whole = number(&cell.value);
+    let number = if whole.size().x <= rest {
+        whole
+    } else {
+        number(&cell.value.without_sigma())
+    };
     let left = line.with_max_x(line.right() - number.size().x - theme::STEP);
-    let name = egui::RichText::new(&cell.title).size(theme::SMALL_SIZE).color(color);
-    line_ui(ui, ("name", index), left).add(Label::new(name).truncate());
+    line_ui(ui, ("name", index), left).add(Label::new(name));
     let place = UiBuilder::new()
         .id_salt(("number", index))
         .max_rect(line)

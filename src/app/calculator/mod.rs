@@ -210,6 +210,7 @@ impl Calculator {
         let top: Pos2 = ui.cursor().min;
         strip::ui(ui, cx);
         self.pictures.ui(ui, cx);
+        simulated::ui(ui, cx, &self.simulations);
         let rect = Rect::from_min_max(top, ui.min_rect().max);
         self.reveal.scroll(ui, rect, Some(Align::Min));
     }
@@ -226,7 +227,6 @@ impl Calculator {
         budget::ui(ui, cx);
         remarks::ui(ui, cx);
         remarks::how_ui(ui, cx);
-        simulated::ui(ui, cx, &self.simulations);
     }
 }
 

@@ -1,37 +1,86 @@
 //! The cards of the Monte Carlo simulation, where first order is not good enough.
 
 use super::card::Card;
+use super::pictures::tip;
 use super::simulations::{self, Simulation, Simulations};
 use crate::app::context::AppContext;
 use crate::app::sentences::{Description, Hint};
-use crate::app::theme;
-use crate::app::widgets::{cards, chart, picture, progress, text};
+use crate::app::theme::{self, Layout};
+use crate::app::widgets::{cards, chart, figure, picture, progress, text};
+use crate::core::measured::Measured;
 use crate::core::monte_carlo::{Distribution, Quantiles};
 use crate::core::problem::Method;
 use crate::core::quantity::{Length, LengthUnit};
+use depth_figures::histogram::Histogram;
+use depth_figures::{Ink, Words};
 use depth_text::report;
 use depth_text::report::strip::Mode;
 use depth_text::sentences::percent;
-use egui::{Align2, Rect, Sense, Ui, pos2, vec2};
+use depth_text::style::Style;
+use egui::{Key, Sense, Ui, vec2};
 
 /// Draws the card of each method that is simulated.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, simulations: &Simulations) {
     if cx.mode() != Mode::Distance {
         return;
     }
-    let unit = cx.unit();
-    for method in Method::ALL {
-        let simulation = simulations.of(method);
-        if matches!(simulation, Simulation::None) {
-            continue;
+    let is_simulated = |method: &Method| !matches!(simulations.of(*method), Simulation::None);
+    let mut shown: Vec<Option<Method>> = Method::ALL.into_iter().filter(is_simulated).map(Some).collect();
+    if shown.is_empty() {
+        return;
+    }
+    if cx.layout == Layout::Phone {
+        for method in shown.into_iter().flatten() {
+            card_ui(ui, cx, (method, simulations.of(method)));
         }
-        let card = Card::Simulation(method);
-        let frame = cards::Frame {
-            title: card.title(),
-            caption: "",
-            height: None,
-        };
-        frame.ui(ui, card, |ui| simulation_ui(ui, cx, (method, simulation), unit));
+        return;
+    }
+    // In the columns of the pictures above.
+    shown.resize(Method::ALL.len(), None);
+    let gap = cx.layout.gap();
+    cards::row_ui(ui, &shown, gap, |ui, method| {
+        if let Some(method) = method {
+            card_ui(ui, cx, (method, simulations.of(method)));
+        }
+    });
+}
+
+fn card_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (method, simulation): (Method, &Simulation)) {
+    let card = Card::Simulation(method);
+    let frame = cards::Frame {
+        title: card.title(),
+        caption: "",
+        height: None,
+    };
+    let unit = cx.unit();
+    frame.ui(ui, card, |ui| simulation_ui(ui, cx, (method, simulation), unit));
+}
+
+/// Lengths as precise as the distance of a method.
+#[derive(Clone, Copy)]
+struct Precision {
+    like: Measured<Length>,
+    unit: LengthUnit,
+}
+
+impl Precision {
+    fn of(cx: &AppContext<'_>, method: Method, unit: LengthUnit) -> Self {
+        let solution = &cx.session.assessment().solution;
+        let none = Length::from_m(0.0);
+        let distance = solution.outcome(method).distance().unwrap_or(none);
+        let sigma = solution.uncertainty(method).map_or(none, |known| known.sigma);
+        Self {
+            like: Measured::new(distance, sigma),
+            unit,
+        }
+    }
+
+    fn length(self, length: Length) -> String {
+        Style::WINDOW.length_like(length, self.like, self.unit)
+    }
+
+    fn range(self, near: Length, far: Option<Length>) -> String {
+        Style::WINDOW.range_like(near, far, self.like, self.unit)
     }
 }
 
@@ -42,10 +91,11 @@ fn simulation_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (method, simulation): (Me
         progress::ui(ui, Card::Simulation(method).title(), percent);
         return;
     };
-    histogram_ui(ui, cx, (method, distribution), unit);
+    let precision = Precision::of(cx, method, unit);
+    histogram_ui(ui, cx, (method, distribution), precision.like);
     let unbounded = || report::NO_UPPER_BOUND.to_owned();
-    let end = |length: Option<Length>| length.map_or_else(unbounded, |length| report::length(Some(length), unit));
-    let interval = |Quantiles { near, far, .. }: Quantiles| near.map_or_else(unbounded, |near| report::range(near, far, unit));
+    let end = |length: Option<Length>| length.map_or_else(unbounded, |length| precision.length(length));
+    let interval = |Quantiles { near, far, .. }: Quantiles| near.map_or_else(unbounded, |near| precision.range(near, far));
     super::table::pairs_ui(
         ui,
         Card::Simulation(method).title(),
@@ -60,56 +110,24 @@ fn simulation_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (method, simulation): (Me
     text::caption_ui(ui, Hint::Simulated { draws }.to_string());
 }
 
-fn histogram_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (method, distribution): (Method, &Distribution), unit: LengthUnit) {
-    let palette = theme::palette(ui);
-    let Some(shape) = &distribution.histogram else { return };
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::HISTOGRAM_HEIGHT), Sense::CLICK);
-    let plot = rect.with_max_y(rect.bottom() - theme::HISTOGRAM_LABELS_HEIGHT);
-    let most = shape.counts.iter().copied().max().unwrap_or(1).max(1);
-    let count = f32::from(u16::try_from(shape.counts.len()).unwrap_or(u16::MAX).max(1));
-    let width = plot.width() / count;
-    let color = match method {
-        Method::Stereo => palette.blue,
-        Method::Monocular => palette.orange,
+fn histogram_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (method, distribution): (Method, &Distribution), like: Measured<Length>) {
+    let unit = cx.unit();
+    let (Some(shape), Some(histogram)) = (&distribution.histogram, Histogram::new(distribution, method, like, unit)) else {
+        return;
     };
-    let mut x = plot.left();
-    for &draws in &shape.counts {
-        let height = plot.height() * to_f32(f64::from(draws) / f64::from(most));
-        let bar = Rect::from_min_max(pos2(x, plot.bottom() - height), pos2(x + width, plot.bottom()));
-        ui.painter().rect_filled(bar, 0.0, color);
-        x += width;
-    }
-    ui.painter()
-        .hline(plot.x_range(), plot.bottom(), egui::Stroke::new(theme::THIN_LINE, palette.line));
-    let label = |position, anchor, words: String| {
-        ui.painter()
-            .text(position, anchor, words, theme::regular(theme::SMALL_SIZE), palette.muted);
-    };
-    label(rect.left_bottom(), Align2::LEFT_BOTTOM, report::length(Some(shape.low), unit));
-    label(rect.right_bottom(), Align2::RIGHT_BOTTOM, report::length(Some(shape.high), unit));
-    if let Some(median) = distribution.median {
-        let span = shape.high.m() - shape.low.m();
-        if span > 0.0 {
-            let at = plot.left() + plot.width() * to_f32((median.m() - shape.low.m()) / span);
-            ui.painter()
-                .vline(at, plot.y_range(), egui::Stroke::new(theme::STRONG_LINE, palette.text));
-        }
-    }
-    picture::describe(
-        ui,
-        &response,
-        Card::Simulation(method).title(),
-        &Description::Histogram {
-            histogram: shape,
-            draws: distribution.drawn,
-            unit,
-        },
-    );
-    chart::menu_ui(&response, Card::Simulation(method).title(), cx.commands);
-}
-
-/// A share of a width on the screen.
-#[expect(clippy::cast_possible_truncation, reason = "a position on the screen needs no more than an f32")]
-const fn to_f32(share: f64) -> f32 {
-    share as f32
+    let size = vec2(ui.available_width(), theme::HISTOGRAM_HEIGHT);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let drawn = histogram.layout(size.x, size.y, &figure::Fonts(ui.painter()));
+    figure::paint(ui, &drawn.figure, rect.min);
+    let title = Card::Simulation(method).title();
+    let draws = distribution.drawn;
+    let description = Description::Histogram { histogram: shape, draws, unit };
+    picture::describe(ui, &response, title, &description);
+    chart::menu_ui(&response, title, cx.commands);
+    let stops = drawn.bars.iter().map(|bar| tip::Stop {
+        hit: figure::place(bar.hit, rect.min),
+        at: rect.min + vec2(bar.top.x, bar.top.y),
+        lines: bar.tip.iter().map(|line| Words::new(line.as_str(), Ink::Text)).collect(),
+    });
+    tip::stops_ui(ui, &response, [Key::ArrowRight, Key::ArrowLeft], stops.collect());
 }

@@ -10,21 +10,23 @@ use depth_text::field::Key;
 use depth_text::note::Part;
 use depth_text::number;
 use depth_text::report::{Row, Tone};
+use depth_text::sentences::capital;
 use egui::accesskit::Role;
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Color32, FontId, Rect, Ui, UiBuilder, vec2};
 
 /// The table "Key input parameters and outputs", in a card `height` high at least.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, height: f32) {
-    let frame = cards::Frame {
-        title: Card::Table.title(),
-        caption: "",
-        height: None,
-    };
     let rows = cx.table();
     let count = rows.len() + rows.iter().filter(|row| row.heading.is_some()).count();
     let lines = f32::from(u16::try_from(count + 1).unwrap_or(u16::MAX));
     let pitch = (cards::figure_height(height) / lines).clamp(theme::ROW_HEIGHT, theme::ROW_HEIGHT_MAX);
+    let frame = cards::Frame {
+        title: Card::Table.title(),
+        caption: "",
+        // As high as the card beside it, if the rows fit.
+        height: (pitch * lines <= cards::figure_height(height)).then_some(height),
+    };
     let place = ui.available_rect_before_wrap();
     frame.ui(ui, Card::Table, |ui| {
         let notes = cx.session.assessment().notes.iter().filter(|note| note.part == Part::Value);
@@ -132,11 +134,17 @@ fn short(label: &str) -> String {
         ("object ", ""),
         ("Object distance", "Distance"),
         (" (OpenCV)", ""),
+        ("in first photo", "in 1st photo"),
+        ("in second photo", "in 2nd photo"),
     ];
     let label = shorter
         .into_iter()
         .fold(label.to_owned(), |label, (long, short)| label.replace(long, short));
-    label.split(" (meters)").collect::<Vec<_>>().join(" (m)")
+    let label = label.replace(" (meters)", " (m)");
+    match label.strip_prefix("Object ") {
+        Some(rest) => capital(rest),
+        None => label,
+    }
 }
 
 struct View<'a> {
@@ -157,12 +165,17 @@ impl View<'_> {
             tooltip: String::new(),
             said: None,
         };
+        // Over whole numbers, which end at the decimal point.
+        let before = |text: &str, point: f32| {
+            let cell = header(text, 0.0);
+            let width = ui.painter().layout_job(cell.text.clone()).size().x;
+            Placed {
+                left: point - width,
+                ..cell
+            }
+        };
         let [value, sigma] = self.columns.points;
-        let mut cells = vec![
-            header("Parameter", 0.0),
-            header("Value", value - theme::HEADER_SHIFT),
-            header("± 1 σ", sigma - theme::HEADER_SHIFT / 2.0),
-        ];
+        let mut cells = vec![header("Parameter", 0.0), before("Value", value), before("± 1 σ", sigma)];
         cells.extend(self.columns.description.map(|left| header("Description", left)));
         placed_row_ui(ui, self.pitch, cells, self.palette.line);
     }
@@ -187,13 +200,6 @@ impl View<'_> {
         } else {
             String::new()
         };
-        let mut cells = vec![Placed {
-            text: self.name(row),
-            role: Role::RowHeader,
-            left: 0.0,
-            tooltip,
-            said: Some(row.parameter.clone()),
-        }];
         let [value, sigma] = self.columns.points;
         let mut number = self.number(ui, &number::with_minus(&row.value), value, true);
         if let Some(color) = self.wrong.iter().find(|(key, _)| row.key == Some(*key)).map(|(_, color)| *color) {
@@ -201,7 +207,14 @@ impl View<'_> {
                 section.format.color = color;
             }
         }
-        cells.push(number);
+        let name = Placed {
+            text: self.name(row, number.left - theme::NUMBER_GAP / 2.0),
+            role: Role::RowHeader,
+            left: 0.0,
+            tooltip,
+            said: Some(row.parameter.clone()),
+        };
+        let mut cells = vec![name, number];
         cells.extend(row.sigma.as_deref().map(|text| self.number(ui, text, sigma, false)));
         let quiet = |text: &str, left: f32| Placed {
             text: symbols::job(
@@ -227,7 +240,8 @@ impl View<'_> {
         placed_row_ui(ui, self.pitch, cells, if ends_part { palette.border } else { palette.line });
     }
 
-    fn name(&self, row: &Row) -> LayoutJob {
+    /// The name of a row, not longer than `room`.
+    fn name(&self, row: &Row, room: f32) -> LayoutJob {
         let font = theme::regular(theme::TABLE_SIZE);
         let format = TextFormat::simple(font, self.palette.text);
         let label = if self.is_narrow { short(&row.label) } else { row.label.clone() };
@@ -241,8 +255,7 @@ impl View<'_> {
             symbols::append(&mut job, row.parameter_symbol, &colored);
         }
         // Numbers are never covered.
-        let [value, _] = self.columns.points;
-        job.wrap = egui::text::TextWrapping::truncate_at_width(value - theme::WHOLE_WIDTH);
+        job.wrap = egui::text::TextWrapping::truncate_at_width(room);
         job
     }
 

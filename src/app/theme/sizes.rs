@@ -66,7 +66,7 @@ pub const NOTE_MARK_RADIUS: f32 = 5.5;
 pub const NOTE_MARK_SIZE: f32 = 9.0;
 /// The corner of the card of a note that points at its field.
 pub const NOTE_TAIL: f32 = 7.0;
-/// From the right edge of that card to that corner.
+/// From the right edge of that card to that corner, where the line above it rarely has words.
 pub const NOTE_TAIL_INSET: f32 = 97.0;
 /// The narrowest a menu is.
 pub const MENU_WIDTH: f32 = 132.0;
@@ -132,10 +132,8 @@ pub const FORM_WIDTH_TABLET: f32 = 344.0;
 pub const EMPTY_PICTURE_MARGINS: f32 = 48.0;
 /// The widest that hint grows.
 pub const EMPTY_PICTURE_TEXT_WIDTH: f32 = 300.0;
-/// Height of a histogram with its labels.
-pub const HISTOGRAM_HEIGHT: f32 = 120.0;
-/// Height of the labels below a histogram.
-pub const HISTOGRAM_LABELS_HEIGHT: f32 = 18.0;
+/// Height of a histogram with its axis.
+pub const HISTOGRAM_HEIGHT: f32 = 150.0;
 /// Height of the bar that shows how much of a simulation is done.
 pub const PROGRESS_HEIGHT: f32 = 8.0;
 /// Above and below the text in a cell of a table.
@@ -220,6 +218,8 @@ pub const ICON_SIZE: f32 = 17.0;
 pub const CARD_HEADING_SIZE: f32 = 14.0;
 /// Hints, captions and labels in pictures.
 pub const SMALL_SIZE: f32 = 12.0;
+/// What has no room gets no smaller than this.
+pub const SMALLEST_SIZE: f32 = 10.0;
 /// Text.
 pub const BODY_SIZE: f32 = 14.0;
 /// Text that is read at length.
@@ -263,8 +263,6 @@ pub const SIGMA_WHOLE_WIDTH: f32 = 10.0;
 pub const NUMBER_GAP: f32 = 14.0;
 /// The column of units.
 pub const UNIT_COLUMN_WIDTH: f32 = 26.0;
-/// From a decimal point to the left of a heading above it.
-pub const HEADER_SHIFT: f32 = 10.0;
 /// The narrowest table in which descriptions stand.
 pub const DESCRIBED_TABLE_WIDTH: f32 = 520.0;
 /// The room for descriptions.

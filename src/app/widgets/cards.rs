@@ -3,7 +3,8 @@
 
 use super::text;
 use crate::app::theme;
-use egui::{Id, Rect, RichText, Ui, UiBuilder, accesskit::Role, vec2};
+use egui::text::LayoutJob;
+use egui::{Id, Rect, Ui, UiBuilder, accesskit::Role, vec2};
 use std::fmt::Debug;
 use std::hash::Hash;
 
@@ -12,7 +13,7 @@ use std::hash::Hash;
 pub struct Frame<'a> {
     /// Its heading, which is also its accessible name.
     pub title: &'a str,
-    /// At the other end of its line; may be empty.
+    /// At the other end of its line, where it fits; may be empty.
     pub caption: &'a str,
     /// How high it is; `None` for as high as its contents.
     pub height: Option<f32>,
@@ -52,8 +53,10 @@ impl Frame<'_> {
             let layout = egui::Layout::right_to_left(egui::Align::Center);
             let mut right = ui.new_child(UiBuilder::new().id_salt("caption").max_rect(room).layout(layout));
             let muted = theme::palette(ui).muted;
-            let caption = RichText::new(self.caption).size(theme::SMALL_SIZE).color(muted);
-            right.add(egui::Label::new(caption).truncate());
+            let job = |size| LayoutJob::simple_singleline(self.caption.to_owned(), theme::regular(size), muted);
+            if let Some(caption) = text::fitted(ui, theme::SMALL_SIZE, room.width(), job) {
+                right.add(egui::Label::new(caption));
+            }
         }
         ui.add_space(theme::BELOW_CARD_HEADING - ui.spacing().item_spacing.y);
     }

@@ -43,6 +43,11 @@ impl Measure for Fonts<'_> {
     }
 }
 
+/// A part of a figure whose upper left corner is at `at`, on the screen.
+pub fn place(part: depth_figures::Rect, at: Pos2) -> Rect {
+    Rect::from_min_max(pos2(part.left, part.top), pos2(part.right, part.bottom)).translate(at.to_vec2())
+}
+
 /// Paints `figure` with its upper left corner at `at`.
 pub fn paint(ui: &Ui, figure: &Figure, at: Pos2) {
     let room = Rect::from_min_size(at, vec2(figure.width, figure.height)).expand(theme::THIN_LINE);

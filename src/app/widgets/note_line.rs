@@ -66,7 +66,6 @@ impl NoteLine<'_> {
         let line = line.with_min_x(line.left() + theme::NOTE_MARK_WIDTH);
         let (text_rect, fix_rect) = line.split_left_right_at_x(line.right() - inline.as_ref().map_or(0.0, |(_, width)| *width));
         let words = one_line(ui, &first.headline(), text::note_color(ui, first.severity), text_rect.width());
-        let is_cut = words.elided || first.headline() != first.message();
         for (index, (note, about)) in self.notes.iter().enumerate() {
             let said = if index == 0 {
                 let said = self.label_ui(ui, "note", text_rect, Arc::clone(&words));
@@ -87,11 +86,7 @@ impl NoteLine<'_> {
             }
         }
         let card = Card {
-            texts: if is_cut || self.notes.len() > 1 {
-                self.notes.iter().map(|(note, _)| *note).collect()
-            } else {
-                Vec::new()
-            },
+            texts: self.texts(words.elided),
             fixes: if inline.is_some() { Vec::new() } else { self.fixes() },
             color: text::note_color(ui, first.severity),
             field: self.field,
@@ -112,6 +107,18 @@ impl NoteLine<'_> {
             Some(open) => _ = data.insert_temp(self.key(), open),
             None => data.remove::<Open>(self.key()),
         });
+    }
+
+    /// What is to be said beyond the line, in which the headline of the first note stands, whole or `is_cut`.
+    fn texts(&self, is_cut: bool) -> Vec<String> {
+        let texts = self.notes.iter().enumerate().map(|(index, (note, _))| {
+            if index == 0 && !is_cut {
+                note.beyond_headline()
+            } else {
+                note.message()
+            }
+        });
+        texts.filter(|text| !text.is_empty()).collect()
     }
 
     /// Whether somebody wants to see all of it.
@@ -165,7 +172,7 @@ impl NoteLine<'_> {
 /// What is shown over what follows the line.
 struct Card<'a> {
     /// What is said on it.
-    texts: Vec<&'a Note>,
+    texts: Vec<String>,
     fixes: Vec<(&'a Note, &'a Fix)>,
     /// The color of its border.
     color: Color32,
@@ -245,7 +252,7 @@ impl Card<'_> {
         let texts: Vec<Arc<Galley>> = self
             .texts
             .iter()
-            .map(|note| ui.painter().layout(note.message(), font(), color, width))
+            .map(|text| ui.painter().layout(text.clone(), font(), color, width))
             .collect();
         let gap = theme::NOTE_CARD_GAP;
         let texts_height: f32 = texts.iter().map(|text| text.size().y + gap).sum();

@@ -4,8 +4,9 @@ use super::symbols;
 use crate::app::theme;
 use depth_text::note::Severity;
 use egui::accesskit::{Invalid, Live, Role};
-use egui::text::TextFormat;
-use egui::{FontId, Id, Response, RichText, Ui};
+use egui::text::{LayoutJob, TextFormat};
+use egui::{FontId, Galley, Id, Response, RichText, Ui};
+use std::sync::Arc;
 
 /// A heading of `level` 1 to 6.
 pub fn heading_ui(ui: &mut Ui, text: &str, level: usize, font: FontId, color: egui::Color32) -> Response {
@@ -79,6 +80,16 @@ pub fn describe_by_note(ui: &Ui, said: &Response, severity: Severity, about: Id)
             node.set_invalid(Invalid::True);
         }
     });
+}
+
+/// A line as large as fits into `width`, up to `size`; `None` where it would be too small to be read.
+pub fn fitted(ui: &Ui, size: f32, width: f32, job: impl Fn(f32) -> LayoutJob) -> Option<Arc<Galley>> {
+    let whole = ui.painter().layout_job(job(size));
+    if whole.size().x <= width {
+        return Some(whole);
+    }
+    let smaller = (size * width / whole.size().x * 2.0).floor() / 2.0;
+    (smaller >= theme::SMALLEST_SIZE).then(|| ui.painter().layout_job(job(smaller)))
 }
 
 /// A link in the text of the form, with a target `height` high.

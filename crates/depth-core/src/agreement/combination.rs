@@ -36,8 +36,7 @@ use crate::quantity::Length;
 ///
 /// Source: weighted least squares (Gauss–Markov) for two measurements of ln Z with a common error, with the weights of
 /// the independent parts, which keeps the result between the two where the optimal weights may not (R. W. Peelle's
-/// puzzle, 1987). The factor is the Birge ratio √(χ²/(N − 1)) for N = 2, as the Particle Data Group scales the errors of
-/// measurements that do not agree well (Review of Particle Physics, Introduction, 5.2.2).
+/// puzzle, 1987). The factor is that of [`Agreement::widening`](super::Agreement::widening).
 pub fn combine(first: &Model, second: &Model) -> Option<Measured<Length>> {
     let [z1, z2] = [first, second].map(|model| model.optical_depth().m());
     let [r1, r2] = unshared([first, second]);
@@ -46,7 +45,7 @@ pub fn combine(first: &Model, second: &Model) -> Option<Measured<Length>> {
     if agreement.verdict == Verdict::Disagree {
         return None;
     }
-    let widened = agreement.z.max(1.0);
+    let widened = agreement.widening();
     let weight_of_second = (r1 / r) * (r1 / r);
     let log_ratio = log_ratio(z1, z2);
     // From the weightier of the two, so that the exponential stays in range however far they are apart.

@@ -14,6 +14,17 @@ pub struct Agreement {
     pub verdict: Verdict,
 }
 
+impl Agreement {
+    /// By how much the σ of each is multiplied where the two are [combined](super::combine): what differs by more than its σ has a
+    /// larger one.
+    ///
+    /// Source: the Birge ratio √(χ²/(N − 1)) for N = 2, not below 1, as the Particle Data Group scales the errors of measurements that
+    /// do not agree well (Review of Particle Physics, Introduction, 5.2.2).
+    pub fn widening(&self) -> f64 {
+        self.z.max(1.0)
+    }
+}
+
 /// One distance against another one to the same object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Comparison {

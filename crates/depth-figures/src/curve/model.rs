@@ -1,7 +1,6 @@
 //! What a curve shows.
 
 use crate::axis::{Axis, Quantity};
-use crate::numbers;
 use crate::sources::as_typed;
 use crate::spans::{Estimate, Span, with_sigmas_doubled};
 use depth_core::measured::Measured;
@@ -100,9 +99,12 @@ impl CurveModel {
         let point = distance_point(drawn, unit);
         let level = Estimate::distance(solution, Method::Monocular, unit).and_then(|estimate| {
             let distance = solution.monocular.distance()?;
+            let sigma = solution
+                .uncertainty(Method::Monocular)
+                .map_or(Length::from_m(0.0), |known| known.sigma);
             Some(Level {
                 x: disparity_of(&problem, Measured::exact(distance)).map(|disparity| disparity.value),
-                text: numbers::plain_length(distance, unit),
+                text: Style::WINDOW.length_like(distance, Measured::new(distance, sigma), unit),
                 estimate,
             })
         });

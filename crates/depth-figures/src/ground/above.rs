@@ -78,7 +78,7 @@ impl Above {
         };
         Self {
             caption: format!("to scale, grid {}", step_text(drawing.step, model.unit)),
-            note: drawing.note(),
+            note: drawing.note(width),
             ring: drawing.ring(),
             figure: drawing.figure([width, height]),
             plot,
@@ -145,18 +145,15 @@ impl Drawing<'_> {
         self.scale.at(self.model.right_m(), self.model.ahead.value.m())
     }
 
-    fn note(&self) -> String {
+    fn note(&self, width: f32) -> String {
         let ellipse = match &self.ellipse {
-            Some(ellipse) if ellipse.factor > 1.0 => format!("Ellipse: 1 σ, drawn {:.0} × as large. ", ellipse.factor),
-            Some(_) => "Ellipse: 1 σ. ".to_owned(),
-            None => String::new(),
+            Some(ellipse) if ellipse.factor > 1.0 => Some(format!("Ellipse: 1 σ, drawn {:.0} × as large.", ellipse.factor)),
+            Some(_) => Some("Ellipse: 1 σ.".to_owned()),
+            None => None,
         };
-        let floor = if self.floor().is_some() {
-            "Gray: the floor in the image."
-        } else {
-            ""
-        };
-        format!("{ellipse}{floor}").trim_end().to_owned()
+        let floor = self.floor().map(|_| "Gray: the floor in the image.".to_owned());
+        let sentences: Vec<String> = ellipse.into_iter().chain(floor).collect();
+        crate::words::fitted(&sentences, width, self.measure)
     }
 
     fn figure(mut self, [width, height]: [f32; 2]) -> Figure {

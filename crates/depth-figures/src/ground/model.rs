@@ -92,12 +92,7 @@ impl Model {
     /// A length without its sign and with the digits that its σ leaves: "3.08 m".
     pub(super) fn length(&self, length: Measured<Length>) -> String {
         let size = Measured::new(Length::from_m(length.value.m().abs()), length.sigma);
-        if size.sigma.m() > 0.0 {
-            let (written, unit) = Style::WINDOW.length_with_sigma(size, self.unit);
-            format!("{}{} {}", written.value, written.power, unit.symbol())
-        } else {
-            Style::WINDOW.length(Some(size.value), self.unit)
-        }
+        Style::WINDOW.length_like(size.value, size, self.unit)
     }
 
     /// The row at which a point as high as this one and `ahead` is seen, px; `None` without an image, and where it is not in front of

@@ -1,5 +1,6 @@
 //! What the top view shows, in meters, and what is written into it.
 
+use depth_core::measured::Measured;
 use depth_core::problem::{Method, Solution};
 use depth_core::quantity::{Length, LengthUnit};
 use depth_core::setup::Object;
@@ -139,7 +140,10 @@ impl Sight {
             depth_m: distance.m() + zero_m,
             sigma_m,
             across_m,
-            text: typed.map_or_else(|| report::length(Some(distance), unit), |reading| Style::WINDOW.typed(reading)),
+            text: typed.map_or_else(
+                || Style::WINDOW.length_like(distance, Measured::new(distance, Length::from_m(sigma_m)), unit),
+                |reading| Style::WINDOW.typed(reading),
+            ),
             is_given: given.is_some(),
             is_stale,
         })

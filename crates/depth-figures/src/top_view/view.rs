@@ -4,11 +4,8 @@ use super::draw::Drawing;
 use super::fit::Fit;
 use super::model::{Model, Sight};
 use super::options::{Drag, Options};
-use crate::{Figure, Ink, Measure, Point, Rect, Words};
+use crate::{Figure, Measure, Point, Rect, words};
 use depth_core::quantity::Length;
-
-/// The size of the note below the picture.
-const NOTE_TEXT: f32 = 12.0;
 
 /// The picture, what is written beside it, and where things are that can be dragged.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,14 +93,11 @@ fn note(model: &Model, fit: &Fit, drag: Drag, width: f32, measure: &dyn Measure)
     if model.is_from_side {
         sentences.push("Seen from the side.".to_owned());
     }
-    let fits = |text: &str| measure.width(&Words::new(text, Ink::Muted), NOTE_TEXT) <= width;
     let so_far = sentences.join(" ");
     let with_keys = "The ring can be dragged, or moved with the arrow keys.";
     if model.stereo.is_some() && drag != Drag::No {
-        let has_room = drag == Drag::PointerAndKeys && fits(&format!("{so_far} {with_keys}"));
+        let has_room = drag == Drag::PointerAndKeys && words::fits(&format!("{so_far} {with_keys}"), width, measure);
         sentences.push(if has_room { with_keys } else { "The ring can be dragged." }.to_owned());
     }
-    let note = sentences.join(" ");
-    // On a phone a word less keeps it on one line.
-    if fits(&note) { note } else { note.replace(", drawn ", ", ") }
+    words::fitted(&sentences, width, measure)
 }

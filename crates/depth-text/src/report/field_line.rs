@@ -18,7 +18,10 @@ pub fn field_line(key: Key, reading: Option<&Reading>) -> String {
     line(key, reading, false)
 }
 
-/// [`field_line`] where two fields share the width: at most some 26 characters.
+/// So many characters fit where two fields share the width.
+const LONGEST_IN_PAIR: usize = 26;
+
+/// [`field_line`] where two fields share the width.
 pub fn field_line_in_pair(key: Key, reading: Option<&Reading>) -> String {
     line(key, reading, true)
 }
@@ -38,11 +41,15 @@ fn line(key: Key, reading: Option<&Reading>, in_pair: bool) -> String {
         );
     }
     match other_unit(key, reading) {
-        Some(unit) => format!(
-            "= {}{}",
-            with_unit(unit.from_base(reading.value), Some(unit), DIGITS),
-            key.behind_reading
-        ),
+        Some(unit) => {
+            let value = format!("= {}", with_unit(unit.from_base(reading.value), Some(unit), DIGITS));
+            let whole = format!("{value}{}", key.behind_reading);
+            if in_pair && whole.chars().count() > LONGEST_IN_PAIR {
+                value
+            } else {
+                whole
+            }
+        }
         None => hint(),
     }
 }
@@ -100,7 +107,7 @@ mod tests {
             (fields::CAMERA_HEIGHT, "1.20", "= 120 cm, lens to floor"),
             (fields::CAMERA_PITCH, "0.1 rad", "= 5.7296°"),
             (fields::CAMERA_PITCH, "10", "0° level, + is downwards"),
-            (fields::DISTANCE, "1.4", "Along the optical axis, from the lens centers"),
+            (fields::DISTANCE, "1.4", "Along the axis, from the lens"),
             (fields::DISTANCE, "4 ft", "= 1.2192 m"),
             (
                 fields::IMAGE_WIDTH,

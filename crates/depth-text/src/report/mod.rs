@@ -28,7 +28,10 @@ mod table;
 mod tone;
 
 pub use field_line::{field_line, field_line_in_pair};
-pub use places::{ALONG_FLOOR, BETWEEN_POINTS, DEPTH_OF_RANGE, FROM_FIRST_PLACE, ground, point, point_origin, two_points, two_shots};
+pub use places::{
+    ALONG_FLOOR, BETWEEN_POINTS, DEPTH_OF_RANGE, FROM_FIRST_PLACE, WAYS_BETWEEN, ground, point, point_origin, two_points, two_shots,
+    ways_between,
+};
 
 pub use budget::{Budget, BudgetRow, budgets};
 pub use parts::{angle_between_rays, mode_rows};

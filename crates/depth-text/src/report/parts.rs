@@ -1,5 +1,6 @@
 //! The table "Key input parameters and outputs" for each of the things that can be asked for.
 
+use super::places::{WAYS_BETWEEN, ways_between};
 use super::strip::{Mode, Shown, extent_of};
 use super::table::{Cells, INTERMEDIATE, Row, all_rows, typed_row};
 use crate::assess::{Assessment, Unknown};
@@ -211,17 +212,17 @@ fn shots(assessment: &Assessment, unit: LengthUnit) -> Part {
 
 fn points(assessment: &Assessment, unit: LengthUnit) -> Part {
     let points = assessment.geometry.two_points.as_ref();
-    let exact = |length: fn(&depth_core::two_points::TwoPointsSolution) -> Length| points.map(|points| Measured::exact(length(points)));
-    let rows = [
-        (super::BETWEEN_POINTS, points.map(|points| points.distance), "in a straight line"),
-        ("To the right", exact(|points| points.dx), "from the first to the second"),
-        ("Down", exact(|points| points.dy), "from the first to the second"),
-        (
-            "Away from the camera",
-            points.map(|points| points.dz),
-            "from the first to the second",
-        ),
-    ];
+    let ways = points.map_or(WAYS_BETWEEN.map(|name| (name, None)), |points| {
+        ways_between(points).map(|(name, length)| (name, Some(length)))
+    });
+    let rows = ways.map(|(name, length)| {
+        let words = if name == super::BETWEEN_POINTS {
+            "in a straight line"
+        } else {
+            "from the first to the second"
+        };
+        (name, length, words)
+    });
     results(rows, unit)
 }
 

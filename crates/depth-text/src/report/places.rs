@@ -1,7 +1,6 @@
 //! Where things are: a point in space, a point on the floor, two photographs, two points.
 
 use crate::geometry::PointOrigin;
-use crate::number::with_minus;
 use crate::style::Style;
 use depth_core::camera::{GroundSolution, PointSolution};
 use depth_core::measured::Measured;
@@ -54,14 +53,25 @@ pub const FROM_FIRST_PLACE: &str = "From the first place";
 
 /// What two points say, a name and a value each, in `unit`.
 pub fn two_points(style: Style, points: &TwoPointsSolution, unit: LengthUnit) -> [(&'static str, String); 4] {
-    let signed = |length: Length| with_minus(&style.length(Some(length), unit));
+    ways_between(points).map(|(name, length)| (name, style.measured(length, unit)))
+}
+
+/// From the first point to the second: in a straight line, and which way how far. No length has a sign: its name says the way.
+pub fn ways_between(points: &TwoPointsSolution) -> [(&'static str, Measured<Length>); 4] {
+    let way = |[ahead, back]: [&'static str; 2], length: Measured<Length>| {
+        let size = Measured::from_base(length.value.m().abs(), length.sigma.m());
+        (if length.value.m() < 0.0 { back } else { ahead }, size)
+    };
     [
-        (BETWEEN_POINTS, style.measured(points.distance, unit)),
-        ("To the right", signed(points.dx)),
-        ("Down", signed(points.dy)),
-        ("Farther away", with_minus(&style.measured(points.dz, unit))),
+        (BETWEEN_POINTS, points.distance),
+        way(["To the right", "To the left"], points.dx),
+        way(["Down", "Up"], points.dy),
+        way(["Farther away", "Nearer"], points.dz),
     ]
 }
+
+/// What those ways are called before there are two points.
+pub const WAYS_BETWEEN: [&str; 4] = [BETWEEN_POINTS, "To the right", "Down", "Farther away"];
 
 /// The name of the length between two points.
 pub const BETWEEN_POINTS: &str = "Between the points";

@@ -175,7 +175,7 @@ impl Display for Issue {
             Self::WrongSubpixelBits => f.write_str("DepthAI has 3, 4 or 5 sub-pixel bits."),
             Self::NotADisparity {
                 reason: NoDisparity::Invalid,
-            } => f.write_str("This value means that the matcher found nothing at this pixel."),
+            } => f.write_str("The matcher found nothing at this pixel."),
             Self::NotADisparity {
                 reason: NoDisparity::NotWhole,
             } => f.write_str("This encoding stores whole numbers: the value may have been divided already."),

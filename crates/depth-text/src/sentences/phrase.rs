@@ -32,6 +32,8 @@ pub enum Phrase {
     Apart { z: f64, of_stereo: f64 },
     /// The focal length is in both.
     SharedFocalLength,
+    /// Why the combined σ is not smaller than both.
+    Widened { times: f64 },
     /// They hardly agree.
     OneInTwenty,
     /// Stereo over monocular.
@@ -123,8 +125,6 @@ pub enum Phrase {
     MeanIsTooFar { bias: String },
     /// What the budget of the ground plane is of.
     DistanceAlongFloor,
-    /// How far the second of two points is below the first.
-    Down { length: String },
     /// Nothing is solved for yet.
     ChooseQuantity,
     /// From the lens, not along the floor.
@@ -145,15 +145,15 @@ impl Display for Phrase {
             Self::TakenToBeExact => f.write_str("Type ± to see how sure it is"),
             Self::Apart { z, of_stereo } => write!(f, "{} σ apart; stereo weighs {}", sigmas(*z), percent(*of_stereo)),
             Self::SharedFocalLength => f.write_str("The shared fx is counted once"),
+            Self::Widened { times: factor } => write!(f, "± is {} times as wide, as they differ", times(*factor)),
             Self::OneInTwenty => f.write_str("One case in twenty, if each ± is right"),
             Self::Times { ratio: None } => f.write_str("The two have nothing to do with each other"),
             Self::Times { ratio: Some(ratio) } => {
-                let [larger, smaller] = if *ratio >= 1.0 {
-                    ["Stereo", "monocular"]
-                } else {
-                    ["Monocular", "stereo"]
-                };
-                write!(f, "{larger} is {} times {smaller}", times(ratio.max(1.0 / ratio)))
+                let larger = if *ratio >= 1.0 { "Stereo" } else { "Monocular" };
+                match times(ratio.max(1.0 / ratio)).as_str() {
+                    "1" => f.write_str("Both distances are equal"),
+                    times => write!(f, "{larger} is {times} times as far"),
+                }
             }
             Self::NeedsSigmas => f.write_str("needs ± in both"),
             Self::HowToJudge => f.write_str("With ± it says whether that is too far"),
@@ -188,7 +188,7 @@ impl Display for Phrase {
 
             Self::OneLess { disparity, distance } => write!(f, "One less, {disparity}: {distance}"),
             Self::OneMore { disparity, distance } => write!(f, "One more, {disparity}: {distance}"),
-            Self::AsOpenCvReturns => f.write_str("As StereoBM and StereoSGBM return it"),
+            Self::AsOpenCvReturns => f.write_str("As StereoBM, SGBM return it"),
             Self::NumDisparities { number } => write!(f, "numDisparities: {number} or more"),
             Self::OnePixel => f.write_str("One pixel at this distance"),
             Self::ForOpenCv => f.write_str("For OpenCV"),
@@ -208,7 +208,6 @@ impl Display for Phrase {
             ),
             Self::OnePixelEach => f.write_str("± is for 1 px in each width"),
             Self::DistanceAlongFloor => f.write_str("Distance along the floor"),
-            Self::Down { length } => write!(f, "Down: {length}"),
             Self::ChooseQuantity => f.write_str("Choose what to solve for"),
             Self::SlantIs { length } => write!(f, "Slant, from the lens: {length}"),
         }

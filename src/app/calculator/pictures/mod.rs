@@ -4,7 +4,7 @@ mod curve;
 mod ground;
 mod handle;
 mod rows;
-mod tip;
+pub mod tip;
 mod top_view;
 
 use super::card::Card;

@@ -4,11 +4,10 @@ use super::tip;
 use crate::app::calculator::card::Card;
 use crate::app::context::AppContext;
 use crate::app::sentences::Description;
-use crate::app::theme;
 use crate::app::widgets::{cards, chart, figure, picture};
 use depth_figures::bars::Bars;
 use depth_figures::{Ink, Words};
-use egui::{Key, Rect, Sense, Ui, pos2, vec2};
+use egui::{Key, Sense, Ui, vec2};
 
 /// Draws the card of both distances.
 pub fn bars_ui(ui: &mut Ui, cx: &mut AppContext<'_>, height: f32) {
@@ -43,30 +42,16 @@ fn ui_of(ui: &mut Ui, cx: &mut AppContext<'_>, (card, bars): (Card, &Bars), heig
         figure::paint(ui, &drawn.figure, rect.min);
         picture::describe(ui, &response, card.title(), &description);
         chart::menu_ui(&response, card.title(), cx.commands);
-        // With the keyboard, the arrow keys lead from row to row.
-        let key = response.id.with("row");
-        let mut chosen: usize = ui.data(|data| data.get_temp(key)).unwrap_or(0);
-        if response.has_focus() {
-            chart::lock_arrows(ui, response.id);
-            let steps = chart::take_arrows(ui, [Key::ArrowDown, Key::ArrowUp]);
-            chosen = chosen.saturating_add_signed(steps).min(drawn.rows.len().saturating_sub(1));
-            ui.data_mut(|data| data.insert_temp(key, chosen));
-        }
-        let pointer = response.hover_pos();
-        for (index, row) in drawn.rows.iter().enumerate() {
-            let hit = Rect::from_min_max(pos2(row.hit.left, row.hit.top), pos2(row.hit.right, row.hit.bottom));
-            let hit = hit.translate(rect.min.to_vec2());
-            let is_shown = pointer.map_or(response.has_focus() && index == chosen, |pointer| hit.contains(pointer));
-            let Some(point) = row.point.filter(|_| is_shown && !row.tip.is_empty()) else {
-                continue;
-            };
-            let at = rect.min + vec2(point.x, point.y);
-            let palette = theme::palette(ui);
-            ui.painter()
-                .circle_stroke(at, theme::RING_RADIUS, egui::Stroke::new(theme::THIN_LINE, palette.text));
+        let stops = drawn.rows.iter().filter_map(|row| {
+            let at = rect.min + row.point.map(|point| vec2(point.x, point.y))?;
             let mut lines = vec![row.name.clone()];
             lines.extend(row.tip.iter().map(|line| Words::new(line.as_str(), Ink::Text)));
-            tip::paint(ui, rect, at, &lines);
-        }
+            Some(tip::Stop {
+                hit: figure::place(row.hit, rect.min),
+                at,
+                lines: if row.tip.is_empty() { Vec::new() } else { lines },
+            })
+        });
+        tip::stops_ui(ui, &response, [Key::ArrowDown, Key::ArrowUp], stops.collect());
     });
 }

@@ -105,6 +105,20 @@ impl Value {
         }
     }
 
+    /// A number for a place that has no room for its σ.
+    #[must_use]
+    pub fn without_sigma(&self) -> Self {
+        match self.clone() {
+            Self::Number { number, power, unit, .. } => Self::Number {
+                number,
+                sigma: None,
+                power,
+                unit,
+            },
+            other => other,
+        }
+    }
+
     /// "(1.400 ± 0.016) m", "1.400 m", "needs fx, b and d", "was 1.400 m"; empty where there is nothing.
     pub fn text(&self) -> String {
         match self {

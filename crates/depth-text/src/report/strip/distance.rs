@@ -2,6 +2,7 @@
 
 use super::cell::{Badge, Cell, Quality, STYLE, Value, sentence};
 use super::line::{Line, numbers};
+use super::quantity::rounded;
 use super::refusal::refused;
 use super::shown::Shown;
 use crate::assess::Assessment;
@@ -48,6 +49,9 @@ pub(super) fn value(assessment: &Assessment, method: Method, unit: LengthUnit) -
     Some(Value::length(Measured::new(distance, sigma), unit))
 }
 
+/// So many characters fit behind "Example: ".
+const LONGEST_EXAMPLE: usize = 24;
+
 fn of_method(shown: &Shown<'_>, method: Method) -> Cell {
     let &Shown {
         inputs,
@@ -71,16 +75,31 @@ fn of_method(shown: &Shown<'_>, method: Method) -> Cell {
             ..cell
         };
     }
-    if let Some(note) = assessment.refusal(method).filter(|_| inputs.is_begun(method)) {
-        return refused(cell, assessment, note, was.and_then(|was| self::value(was, method, unit)));
-    }
     let missing = inputs.missing_for(method);
+    if let Some(note) = assessment.refusal(method) {
+        if inputs.is_begun(method) {
+            return refused(cell, assessment, note, was.and_then(|was| self::value(was, method, unit)));
+        }
+        return Cell {
+            value: Value::Needs(missing),
+            ..refused(cell, assessment, note, None)
+        };
+    }
     let example = with_examples(inputs).assess();
     let lines = match self::value(&example, method, unit).filter(|_| !missing.is_empty()) {
-        Some(value) => [
-            numbers_of(&cell, &example, method, unit).after(&Phrase::Example.to_string()),
-            Line::of(format!("= {}", value.text()), &[]),
-        ],
+        Some(value) => {
+            let numbers = numbers_of(&cell, &example, method, unit);
+            let is_long = numbers.text().chars().count() > LONGEST_EXAMPLE;
+            [
+                // Gray says it as well.
+                if is_long {
+                    numbers
+                } else {
+                    numbers.after(&Phrase::Example.to_string())
+                },
+                Line::of(format!("= {}", value.text()), &[]),
+            ]
+        }
         None => Default::default(),
     };
     Cell {
@@ -147,7 +166,7 @@ fn remarks(assessment: &Assessment, method: Method, unit: LengthUnit) -> Vec<Str
     let is_poor = uncertainty.is_some_and(|known| !known.model.first_order_is_good());
     let poor = is_poor.then(|| sentence(Statement::FirstOrderIsPoor { has_simulation: true }));
     let bias = uncertainty.and_then(|known| known.notable_bias()).map(|bias| {
-        let bias = STYLE.length(Some(bias), unit);
+        let bias = rounded(bias, unit).text();
         Phrase::MeanIsTooFar { bias }.to_string()
     });
     of_method.chain(one_pixel).chain(facing).chain(poor).chain(bias).collect()
@@ -226,8 +245,11 @@ fn agreeing(cell: Cell, assessment: &Assessment, value: Value) -> Cell {
         .zip(solution.weights())
         .map(|(agreement, [of_stereo, _])| Phrase::Apart { z: agreement.z, of_stereo });
     let shares_focal_length = solution.best().is_some_and(|best| best.has_focal_length);
+    let widened = agreement.map_or(1.0, |agreement| agreement.widening());
     let shared = if agreement.is_some_and(|agreement| agreement.verdict != Verdict::Agree) {
         Some(Phrase::OneInTwenty)
+    } else if widened > NOTABLE_WIDENING {
+        Some(Phrase::Widened { times: widened })
     } else {
         shares_focal_length.then_some(Phrase::SharedFocalLength)
     };
@@ -241,6 +263,9 @@ fn agreeing(cell: Cell, assessment: &Assessment, value: Value) -> Cell {
         ..cell
     }
 }
+
+/// From so many times on it is said that the combined ± was widened: below, the digits shown hardly change.
+const NOTABLE_WIDENING: f64 = 1.05;
 
 const DISAGREE: Badge = Badge {
     text: "Disagree",

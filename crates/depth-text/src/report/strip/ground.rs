@@ -99,7 +99,7 @@ fn straight_ahead(shown: &Shown<'_>, ground: &GroundSolution, cell: Cell) -> Cel
     let line = numbers(&cell.formula, &KEYS, assessment, unit, &solved).unwrap_or_default();
     Cell {
         value: Value::length(positive(ground.ahead), unit),
-        lines: [of_shares(ground.ahead_shares), equals(line, ground.ahead.value, shown)],
+        lines: [of_shares(ground.ahead_shares), line],
         ..cell
     }
 }
@@ -125,7 +125,7 @@ fn to_the_right(shown: &Shown<'_>, ground: &GroundSolution, cell: Cell) -> Cell 
     let line = numbers(formula, &KEYS, assessment, unit, &solved).unwrap_or_default();
     Cell {
         value: Value::length(positive(right), unit),
-        lines: [of_shares(ground.right_shares), equals(line, right.value, shown)],
+        lines: [of_shares(ground.right_shares), line],
         ..cell
     }
 }
@@ -137,7 +137,7 @@ fn along(shown: &Shown<'_>, ground: &GroundSolution, cell: Cell) -> Cell {
         let unit = STYLE.unit_of(ground.distance.value, unit);
         let number = |length: Length| STYLE.number(Some(length.in_unit(unit).abs()));
         let sum = format!("√({}² + {}²) {}", number(ground.ahead.value), number(right.value), unit.symbol());
-        equals(Line::of(sum, &[]), ground.distance.value, shown)
+        Line::of(sum, &[])
     });
     Cell {
         tone: Tone::Combined,
@@ -148,14 +148,6 @@ fn along(shown: &Shown<'_>, ground: &GroundSolution, cell: Cell) -> Cell {
         ],
         ..cell
     }
-}
-
-/// `line` with its result behind it.
-fn equals(line: Line, result: Length, shown: &Shown<'_>) -> Line {
-    if line.parts.is_empty() {
-        return line;
-    }
-    line.before(&format!(" = {}", STYLE.length(Some(result), shown.unit)))
 }
 
 /// "72 % from H, 28 % from θ", the two largest.

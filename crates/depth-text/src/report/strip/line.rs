@@ -70,15 +70,6 @@ impl Line {
         }
     }
 
-    /// The same with `text` behind it.
-    pub(super) fn before(mut self, text: &str) -> Self {
-        self.parts.push(Part::Text(text.to_owned()));
-        Self {
-            parts: joined(self.parts),
-            ..self
-        }
-    }
-
     /// The same without the unit `unit` behind the numbers of fields.
     pub(super) fn without(mut self, unit: &str) -> Self {
         for part in &mut self.parts {

@@ -221,7 +221,7 @@ fn one_pixel_of_disparity(shown: &Shown<'_>) -> Cell {
 }
 
 /// A small length to two digits in the unit of its system that suits it: "28 mm".
-fn rounded(length: Length, unit: LengthUnit) -> Value {
+pub(super) fn rounded(length: Length, unit: LengthUnit) -> Value {
     use LengthUnit::{Centimeter, Inch, Meter, Micrometer, Millimeter};
     let meters = length.m().abs();
     let unit = match unit {

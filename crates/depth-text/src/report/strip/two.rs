@@ -9,7 +9,6 @@ use crate::assess::Assessment;
 use crate::field::{Key, Section};
 use crate::fields;
 use crate::geometry::missing_for;
-use crate::number::with_minus;
 use crate::report::{self, BETWEEN_POINTS, FROM_FIRST_PLACE, Tone};
 use crate::sentences::Phrase;
 use depth_core::measured::Measured;
@@ -54,7 +53,8 @@ pub(super) fn points(shown: &Shown<'_>) -> [Cell; 3] {
     let &Shown { assessment, unit, .. } = shown;
     let results = |assessment: &Assessment| {
         let points = assessment.geometry.two_points?;
-        Some([Some(points.distance), Some(points.dz), Some(Measured::exact(points.dx))])
+        let [distance, right, _, away] = report::ways_between(&points).map(|(_, length)| Some(length));
+        Some([distance, away, right])
     };
     let titles = [
         (BETWEEN_POINTS, "√(right² + down² + away²)"),
@@ -63,9 +63,19 @@ pub(super) fn points(shown: &Shown<'_>) -> [Cell; 3] {
     ];
     let mut cells = cells(shown, Section::TwoPoints, titles, results);
     if let Some(points) = &assessment.geometry.two_points {
-        let down = with_minus(&STYLE.length(Some(points.dy), unit));
-        let [_, _, right] = &mut cells;
-        right.lines = [Line::of(Phrase::Down { length: down }, &[]), Line::default()];
+        let [_, across, down, away] = report::ways_between(points);
+        let [straight, farther, right] = &mut cells;
+        for (cell, (name, _)) in [(farther, away), (&mut *right, across)] {
+            cell.title = name.to_owned();
+        }
+        right.lines = [
+            Line::of(format!("{}: {}", down.0, STYLE.measured(down.1, unit)), &[]),
+            Line::default(),
+        ];
+        let unit = STYLE.unit_of(points.distance.value, unit);
+        let number = |(_, length): (&str, Measured<Length>)| STYLE.number(Some(length.value.in_unit(unit)));
+        let sides = format!("√({}² + {}² + {}²) {}", number(across), number(down), number(away), unit.symbol());
+        straight.lines = [Line::of(sides, &[]), Line::default()];
     }
     cells
 }
