@@ -108,7 +108,7 @@ impl Command {
             Self::Copy(Copyable::Value(_)) => "Copy value",
             Self::SavePicture(..) => "Save as PNG",
             Self::SaveReport if cfg!(target_arch = "wasm32") => "Print",
-            Self::SaveReport => "Save report",
+            Self::SaveReport => "Save report (HTML)",
             Self::ShowDialog(Some(Dialog::Keys)) => "Keys",
             Self::ShowDialog(Some(Dialog::About)) => "About Depth Calculator",
             Self::Help(Some(Helper::FocalLength)) => "From lens, FOV or Q…",

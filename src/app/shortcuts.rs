@@ -140,7 +140,7 @@ mod tests {
             ("Enter", "Calculate: marks what is missing and goes there"),
             ("Ctrl + Z", "Undo (⌘ Z on a Mac)"),
             ("Ctrl + Shift + Z", "Redo"),
-            ("Ctrl + P", "Save report"),
+            ("Ctrl + P", "Save report (HTML)"),
             ("Alt + 1, Alt + 2", "Calculator, Learn"),
             ("?", "This list"),
         ] {

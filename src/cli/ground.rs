@@ -21,6 +21,7 @@ struct Answer<'a> {
     ahead_m: f64,
     right_m: Option<f64>,
     slant_m: f64,
+    depth_m: f64,
     sigma_m: Option<f64>,
     warnings: &'a [Warning],
 }
@@ -96,6 +97,7 @@ fn json(ground: &GroundSolution, warnings: &[Warning]) -> Result<Reply, String> 
         ahead_m: ground.ahead.value.m(),
         right_m: ground.right.map(|right| right.value.m()),
         slant_m: ground.slant.value.m(),
+        depth_m: ground.depth.value.m(),
         sigma_m: (sigma > 0.0).then_some(sigma),
         warnings,
     };

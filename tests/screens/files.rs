@@ -43,6 +43,11 @@ fn ask_for_picture(program: &mut Program) {
     program.harness.run();
     // Beside the point that can be moved, which may be in the middle.
     let pos = program.harness.get_by_role_and_label(Role::Image, CURVE).rect().center() + vec2(100.0, 40.0);
+    right_click(program, pos);
+    program.harness.get_by_label("Save as PNG").click();
+}
+
+fn right_click(program: &mut Program, pos: egui::Pos2) {
     program.harness.hover_at(pos);
     program.harness.run();
     for pressed in [true, false] {
@@ -54,7 +59,30 @@ fn ask_for_picture(program: &mut Program) {
         });
     }
     program.harness.run();
-    program.harness.get_by_label("Save as PNG").click();
+}
+
+#[test]
+fn a_chart_has_its_menu_on_the_points_that_can_be_moved_too() {
+    let mut program = Program::new();
+    program.two_distances();
+    let count = program.harness.get_all_by_role(Role::Slider).count();
+    assert!(count >= 3, "a point on the curve, the object and a camera in the top view");
+    for index in 0..count {
+        let point = |program: &Program| {
+            program
+                .harness
+                .get_all_by_role(Role::Slider)
+                .nth(index)
+                .map(|node| node.rect().center())
+        };
+        program.harness.get_all_by_role(Role::Slider).nth(index).unwrap().scroll_to_me();
+        program.harness.run();
+        let pos = point(&program).unwrap();
+        right_click(&mut program, pos);
+        assert!(program.harness.query_by_label("Save as PNG").is_some(), "at {pos:?}");
+        program.harness.key_press(Key::Escape);
+        program.harness.run();
+    }
 }
 
 #[test]

@@ -302,7 +302,7 @@ fn what_sums_up_the_results_is_the_combined_distance_or_says_that_they_disagree(
     assert_eq!(program.cell("Object distance (D, combined)"), "1.442 ± 0.018");
     program.type_into(W_REAL, "3.1");
     let bar = program.bar();
-    assert!(bar.starts_with("Combined Disagree Monocular is 10 times stereo"), "{bar}");
+    assert!(bar.starts_with("Combined Disagree Monocular is 10 times as far"), "{bar}");
     assert_eq!(program.cell("Object distance (D, combined)"), "–");
     assert!(program.says("the object 1.400 m away by stereo"), "{}", program.text());
 }

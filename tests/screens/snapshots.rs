@@ -178,6 +178,9 @@ impl Program {
                 .filter(|node| node.accesskit_node().raw_bounds().is_some())
                 .map(|node| node.rect().bottom());
             let bottom = bottoms.fold(size.y - BARS, f32::max);
+            if bottom + BARS <= self.harness.ctx.content_rect().height() {
+                break;
+            }
             self.harness.set_size(vec2(size.x, (bottom + BARS).ceil().min(TALL)));
             self.harness.run();
         }

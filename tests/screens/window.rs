@@ -23,7 +23,9 @@ fn on_a_phone_the_result_stays_in_sight_and_targets_fit_a_finger() {
             let rect = node.rect();
             let name = node.accesskit_node().label();
             // A link at the end of a label has the height of its line: 24 at least (WCAG 2.2, 2.5.8).
-            let is_link = name.as_deref().is_some_and(|name| name.ends_with('…') || name == "Save report");
+            let is_link = name
+                .as_deref()
+                .is_some_and(|name| name.ends_with('…') || name == "Save report (HTML)");
             let least = if is_link { 24.0 } else { 40.0 };
             assert!(rect.height() >= least && rect.width() >= 40.0, "{role:?} {name:?} is {rect:?}");
             assert!(rect.left() >= 0.0 && rect.right() <= PHONE.x, "{name:?} is cut off: {rect:?}");
@@ -54,7 +56,7 @@ fn texts(program: &Program) -> Vec<(String, egui::Rect)> {
     for node in program.harness.root().children_recursive() {
         let inner = node.accesskit_node();
         let text = inner.label().or_else(|| node.value()).unwrap_or_default();
-        let is_text = matches!(inner.role(), Role::Label | Role::Heading | Role::Link) || text == "Save report";
+        let is_text = matches!(inner.role(), Role::Label | Role::Heading | Role::Link) || text == "Save report (HTML)";
         if is_text && !text.is_empty() && inner.raw_bounds().is_some() {
             texts.push((text, node.rect().shrink(1.0)));
         }

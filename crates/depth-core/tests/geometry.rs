@@ -277,7 +277,7 @@ fn a_ray_that_misses_says_whether_the_opposite_pitch_would_meet() {
     assert_eq!(meets(floor(20.0, -5.0, 700.0, (700.0, 360.0))), None);
 }
 
-/// All four results against numerical derivatives, with a focal length that scales both slopes.
+/// All five results against numerical derivatives, with a focal length that scales both slopes.
 #[test]
 fn the_sigmas_on_the_floor_are_those_of_the_numerical_derivatives() {
     let at = |height: f64, pitch: f64, row: f64, f: f64| {
@@ -291,12 +291,12 @@ fn the_sigmas_on_the_floor_are_those_of_the_numerical_derivatives() {
             ..floor(height, pitch, 720.0 * f, (row, 360.0))
         };
         let found = view.solve().unwrap();
-        [found.distance, found.ahead, found.right.unwrap(), found.slant].map(|part| part.value.m())
+        [found.distance, found.ahead, found.right.unwrap(), found.slant, found.depth].map(|part| part.value.m())
     };
     let sigmas = [0.03, 0.5, 2.0, 0.01];
     let given = [1.4, 12.0, 520.0, 1.0];
     let step = 1e-5;
-    let mut squares = [0.0; 4];
+    let mut squares = [0.0; 5];
     for i in 0..4 {
         let moved = |by: f64| {
             let mut inputs = given;
@@ -324,7 +324,7 @@ fn the_sigmas_on_the_floor_are_those_of_the_numerical_derivatives() {
         }),
     };
     let found = view.solve().unwrap();
-    for (part, square) in [found.distance, found.ahead, found.right.unwrap(), found.slant]
+    for (part, square) in [found.distance, found.ahead, found.right.unwrap(), found.slant, found.depth]
         .into_iter()
         .zip(squares)
     {

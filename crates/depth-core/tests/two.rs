@@ -102,72 +102,31 @@ fn two_stereo_points_are_a_length_apart() {
 }
 
 #[test]
-fn the_sigma_of_a_length_between_two_points_is_what_its_inputs_move() {
-    let base = pair_of_points(0.0);
+fn the_sigmas_between_two_points_are_what_their_inputs_move() {
     let all = |pair: TwoPoints| {
         let TwoPointsSolution { distance, dx, dy, dz } = pair.solve().unwrap();
         [distance, dx, dy, dz]
     };
     let step = 1e-4;
-    let disparity = |point: StereoPoint, value: f64, sigma: f64| StereoPoint {
-        disparity: Measured::from_base(value, sigma),
-        ..point
-    };
-    let cases: [(TwoPoints, TwoPoints); 5] = [
-        (
-            TwoPoints {
-                from: disparity(base.from, 36.0 + step, 0.0),
-                ..base
-            },
-            TwoPoints {
-                from: disparity(base.from, 36.0, step),
-                ..base
-            },
-        ),
-        (
-            TwoPoints {
-                to: disparity(base.to, 30.0 + step, 0.0),
-                ..base
-            },
-            TwoPoints {
-                to: disparity(base.to, 30.0, step),
-                ..base
-            },
-        ),
-        (
-            TwoPoints {
-                doffs: Measured::from_base(step, 0.0),
-                ..base
-            },
-            TwoPoints {
-                doffs: Measured::from_base(0.0, step),
-                ..base
-            },
-        ),
-        (
-            TwoPoints {
-                baseline: Measured::from_base(0.075 + 1e-6, 0.0),
-                ..base
-            },
-            TwoPoints {
-                baseline: Measured::from_base(0.075, 1e-6),
-                ..base
-            },
-        ),
-        (
-            TwoPoints {
-                fx: Measured::from_base(452.9 + step, 0.0),
-                fy: px(452.9 + step),
-                ..base
-            },
-            TwoPoints {
-                fx: Measured::from_base(452.9, step),
-                ..base
-            },
-        ),
+    let base = pair_of_points(0.0);
+    // Each input moved by `by`, with a σ.
+    let cases: [fn(&mut TwoPoints, f64, f64); 5] = [
+        |pair, by, sigma| pair.from.disparity = Measured::from_base(36.0 + by, sigma),
+        |pair, by, sigma| pair.to.disparity = Measured::from_base(30.0 + by, sigma),
+        |pair, by, sigma| pair.doffs = Measured::from_base(by, sigma),
+        |pair, by, sigma| pair.baseline = Measured::from_base(0.075 + 0.01 * by, 0.01 * sigma),
+        |pair, by, sigma| {
+            pair.fx = Measured::from_base(452.9 + by, sigma);
+            pair.fy = px(452.9 + by);
+        },
     ];
-    for (moved, uncertain) in cases {
-        for ((moved, base), uncertain) in all(moved).into_iter().zip(all(base)).zip(all(uncertain)) {
+    for change in cases {
+        let with = |by: f64, sigma: f64| {
+            let mut pair = base;
+            change(&mut pair, by, sigma);
+            all(pair)
+        };
+        for ((moved, base), uncertain) in with(step, 0.0).into_iter().zip(all(base)).zip(with(0.0, step)) {
             let change = (moved.value.m() - base.value.m()).abs();
             assert_near(change, uncertain.sigma.m(), 1e-3 * uncertain.sigma.m() + 1e-12);
         }

@@ -171,6 +171,44 @@ impl Figure {
         }
     }
 
+    /// The same `times` as large, letters and lines too.
+    #[must_use]
+    pub fn scaled(mut self, times: f32) -> Self {
+        let at = |point: &mut Point| *point = Point::new(times * point.x, times * point.y);
+        let line = |stroke: &mut Stroke| {
+            stroke.width *= times;
+            stroke.dash = stroke.dash.map(|dash| dash.map(|length| times * length));
+        };
+        self.width *= times;
+        self.height *= times;
+        for shape in &mut self.shapes {
+            match shape {
+                Shape::Path { points, stroke, .. } => {
+                    points.iter_mut().for_each(at);
+                    stroke.iter_mut().for_each(line);
+                }
+                Shape::Rect { rect, radius, stroke, .. } => {
+                    let Rect { left, top, right, bottom } = *rect;
+                    *rect = Rect::new(times * left, times * top, times * right, times * bottom);
+                    *radius *= times;
+                    stroke.iter_mut().for_each(line);
+                }
+                Shape::Circle {
+                    center, radius, stroke, ..
+                } => {
+                    at(center);
+                    *radius *= times;
+                    stroke.iter_mut().for_each(line);
+                }
+                Shape::Text { at: place, size, .. } => {
+                    at(place);
+                    *size *= times;
+                }
+            }
+        }
+        self
+    }
+
     /// Adds a line from `from` to `to`.
     pub fn line(&mut self, from: Point, to: Point, stroke: Stroke) {
         self.path(vec![from, to], stroke);

@@ -126,7 +126,12 @@ impl Histogram {
                 continue;
             }
             figure.line(Point::new(x, y), Point::new(x, y + 4.0), line);
-            figure.text(Point::new(x, y + 14.0), Align::Center, Words::new(tick.label, Ink::Muted), LABEL_SIZE);
+            figure.text(
+                Point::new(x, y + 14.0),
+                Align::Center,
+                Words::new(tick.label, Ink::Muted),
+                LABEL_SIZE,
+            );
         }
         let title = Words::new(self.axis.title(), Ink::Muted);
         figure.text(Point::new(0.0, y + 32.0), Align::Left, title, LABEL_SIZE);

@@ -6,6 +6,7 @@
 
 pub mod axis;
 pub mod bars;
+mod below;
 pub mod budget;
 pub mod curve;
 mod figure;

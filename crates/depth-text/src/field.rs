@@ -1,10 +1,10 @@
 //! What a field is ([`FieldSpec`]), and its name everywhere in the program ([`Key`]). The fields themselves are the table
 //! in [`fields`](crate::fields); what is looked up in it is in `lookup`.
 
-use crate::number::Primes;
+use crate::number::{Notation, Primes};
 use crate::unit::Unit;
 use depth_core::problem::Field;
-use depth_core::quantity::LengthUnit;
+use depth_core::quantity::{Length, LengthUnit};
 use serde::{Serialize, Serializer};
 use std::hash::{Hash, Hasher};
 use std::ops::Deref;
@@ -231,6 +231,24 @@ impl FieldSpec {
     /// What is shown in the empty field.
     pub fn example(&self) -> &'static str {
         self.examples.first().copied().unwrap_or_default()
+    }
+
+    /// An example of this field, which is in its own unit, in the one that was chosen: "300" for 0.30 in millimeters.
+    ///
+    /// ```
+    /// use depth_core::quantity::LengthUnit;
+    /// use depth_text::fields;
+    ///
+    /// let width = fields::REAL_WIDTH;
+    /// assert_eq!(width.in_unit(width.example(), Some(LengthUnit::Millimeter)), "300");
+    /// assert_eq!(width.in_unit(width.example(), Some(LengthUnit::Meter)), "0.30");
+    /// ```
+    pub fn in_unit(&self, example: &str, chosen: Option<LengthUnit>) -> String {
+        let units = self.kind.length_unit().zip(chosen).filter(|(own, chosen)| own != chosen);
+        match (units, example.parse()) {
+            (Some((own, chosen)), Ok(number)) => Notation::SHORT.readable(Length::new(number, own).in_unit(chosen), 4),
+            _ => example.to_owned(),
+        }
     }
 
     /// The line under the field where nothing is to be read back: [`hint`](Self::hint), or where two fields share the width

@@ -136,7 +136,7 @@ pub const FOCAL_LENGTHS: &[Way] = &[
     Way {
         key: "pixel-pitch",
         name: "Lens and pixel size",
-        remark: "fx = focal length / pixel pitch. Use the pitch of the image as you have it: twice as large after 2 × 2 binning. The lens, focused on the object, is added to the distance.",
+        remark: "fx = focal length / pixel pitch. Use the pitch of the image as you have it: twice as large after 2 × 2 binning. Where the lens is focused on the object, its focal length is added to the distance.",
         asks: &[LENS, fields::PIXEL_PITCH],
         target: FOCAL_LENGTH,
         compute: Compute::Two(|lens, pitch| found(camera::focal_length_from_pixel_pitch(Length::from_m(lens), Length::from_m(pitch)))),

@@ -106,7 +106,7 @@ fn what_was_solved_for_is_a_result_and_the_distance_that_was_given_is_none() {
         &text,
         &[
             "Camera baseline: 10.00 cm, b = D·d/fx, fx = 700 px, d = 50 px, D = 1.4 m",
-            "Distance (D)\t1.4\t\tm\talong the optical axis, from the lens centers",
+            "Distance (D)\t1.4\t\tm\talong the axis, from the lens",
         ],
     );
     assert!(!text.contains("Stereo: "), "{text}");
@@ -137,7 +137,7 @@ fn the_point_and_the_floor_are_results_with_their_inputs() {
             "X, to the right: 0.7200 m",
             "Z, depth along the axis: 1.400 m",
             "R, range from the lens: 1.574 m",
-            "Ground plane: straight ahead 3.076 m, to the right 2.128 m, along the floor 3.740 m, slant, from the lens 3.928 m, fx = 700 px, cx = 640 px, cy = 360 px, H = 1.2 m, θ = 10°, v = 500 px, u = 1100 px",
+            "Ground plane: straight ahead 3.076 m, to the right 2.128 m, along the floor 3.740 m, slant, from the lens 3.928 m, depth, from the lens 3.238 m, fx = 700 px, cx = 640 px, cy = 360 px, H = 1.2 m, θ = 10°, v = 500 px, u = 1100 px",
         ],
     );
 }

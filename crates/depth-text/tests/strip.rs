@@ -54,6 +54,37 @@ fn texts(cells: &[Cell; 3]) -> [String; 3] {
 }
 
 #[test]
+fn why_the_combined_sigma_is_wider_than_both_is_said() {
+    // 1.400 m and 1.493 m, 1.8 σ apart: 1.8 times what both together would have.
+    let mut apart = MUG;
+    apart[4] = ("wreal", "0.32 ± 0.01");
+    let [_, _, combined] = texts(&strip(Mode::Distance, &form(&apart), None));
+    assert!(
+        combined.ends_with("1.8 σ apart; stereo weighs 90 % | ± is 1.8 times as wide, as they differ"),
+        "{combined}"
+    );
+}
+
+#[test]
+fn a_refused_focal_length_is_named_where_the_rest_is_still_missing() {
+    let [stereo, ..] = texts(&strip(Mode::Distance, &form(&[("fx", "-7")]), None));
+    assert_eq!(
+        stereo,
+        "Stereo | fx · b / d | needs b and d | No distance: fx must be above 0 px. | The focal length cannot be negative."
+    );
+}
+
+#[test]
+fn equal_distances_are_called_equal() {
+    let exact = [("fx", "700"), ("b", "100"), ("d", "50"), ("wimg", "150"), ("wreal", "0.30")];
+    let [_, _, combined] = texts(&strip(Mode::Distance, &form(&exact), None));
+    assert_eq!(
+        combined,
+        "Combined |  | needs ± in both | Both distances are equal | With ± it says whether that is too far"
+    );
+}
+
+#[test]
 fn a_distance_has_its_interval_its_cause_and_its_numbers() {
     let cells = strip(Mode::Distance, &form(&MUG), None);
     assert_eq!(
@@ -131,7 +162,7 @@ fn a_disagreement_names_the_two_likeliest_causes() {
         texts(&cells)[1..],
         [
             "Monocular | w_real · fx / w_img | (14.00 ± 0.50) m | 13.50…14.51 m · 86 % from w_real | 3 m · 700 px / 150 px",
-            "Combined (Disagree) |  | Monocular is 10 times stereo | Is w_real really in cm? In mm they would agree. | Is b really in mm? In cm they would agree.",
+            "Combined (Disagree) |  | Monocular is 10 times as far | Is w_real really in cm? In mm they would agree. | Is b really in mm? In cm they would agree.",
         ]
     );
     assert_eq!(cells[2].badge.unwrap().quality, Quality::Bad);
@@ -149,7 +180,7 @@ fn without_sigma_a_pixel_says_how_sure_it_is() {
     both.entry_mut(Field::RealWidth).text = "0.31".into();
     assert_eq!(
         texts(&strip(Mode::Distance, &both, None))[2],
-        "Combined |  | needs ± in both | Monocular is 1.03 times stereo | With ± it says whether that is too far"
+        "Combined |  | needs ± in both | Monocular is 1.03 times as far | With ± it says whether that is too far"
     );
 }
 
@@ -182,7 +213,7 @@ fn a_solved_disparity_has_its_meaning_and_the_form_of_opencv() {
         [
             "Disparity | fx · b / D | (50.00 ± 0.46) px | 49.54…50.46 px · 60 % from D | 700 px · 0.1 m / 1.40 m",
             "One pixel at this distance | D / d | 28 mm | One less, 49 px: 1.429 m | One more, 51 px: 1.373 m",
-            "For OpenCV | d × 16 | (800.0 ± 7.3) | As StereoBM and StereoSGBM return it | numDisparities: 64 or more",
+            "For OpenCV | d × 16 | (800.0 ± 7.3) | As StereoBM, SGBM return it | numDisparities: 64 or more",
         ]
     );
     inputs.entry_mut(fields::DISTANCE).text.clear();
@@ -226,9 +257,9 @@ fn the_ground_plane_is_ahead_to_the_right_and_along() {
     assert_eq!(
         texts(&strip(Mode::Ground, &inputs, None)),
         [
-            "Straight ahead | H / tan(θ + α) | (3.08 ± 0.15) m | 72 % from H, 28 % from θ | 1.20 m / tan(10° + 11.31°) = 3.076 m",
-            "To the right | depth · (u − cx) / fx | (2.13 ± 0.10) m | 78 % from H, 22 % from θ | 3.238 m · 460 px / 700 px = 2.128 m",
-            "Along the floor | √(ahead² + right²) | (3.74 ± 0.18) m | √(3.076² + 2.128²) m = 3.740 m | Slant, from the lens: (3.93 ± 0.19) m",
+            "Straight ahead | H / tan(θ + α) | (3.08 ± 0.15) m | 72 % from H, 28 % from θ | 1.20 m / tan(10° + 11.31°)",
+            "To the right | depth · (u − cx) / fx | (2.13 ± 0.10) m | 78 % from H, 22 % from θ | 3.238 m · 460 px / 700 px",
+            "Along the floor | √(ahead² + right²) | (3.74 ± 0.18) m | √(3.076² + 2.128²) m | Slant, from the lens: (3.93 ± 0.19) m",
         ]
     );
     let missing = strip(Mode::Ground, &Inputs::default(), None);

@@ -118,8 +118,16 @@ fn links_ui(ui: &mut Ui, cx: &mut AppContext<'_>, mode: Mode) {
             .map(|example| width_of(example.short_name()) + 3.0 * theme::STEP)
             .sum::<f32>()
             + width_of(words);
+        let has_room = needed <= ui.available_width();
+        let needed = if has_room {
+            needed
+        } else {
+            needed - width_of(words) - 3.0 * theme::STEP
+        };
         ui.add_space((ui.available_width() - needed).max(0.0));
-        ui.label(RichText::new(words).size(theme::LINK_SIZE).color(theme::palette(ui).muted));
+        if has_room {
+            ui.label(RichText::new(words).size(theme::LINK_SIZE).color(theme::palette(ui).muted));
+        }
         for example in examples {
             let link = text::link_ui(ui, example.short_name(), height).accessible_name(example.name());
             if link.clicked() {

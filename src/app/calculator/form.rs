@@ -40,16 +40,24 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) -> Option<Rect> {
 /// What is asked for: one of three in sight, or one of the menu.
 fn mode_ui(ui: &mut Ui, cx: &mut AppContext<'_>, mode: Mode) {
     let (whole, _) = ui.allocate_exact_size(vec2(ui.available_width(), field::height(ui)), Sense::hover());
-    let names = Mode::FIRST.map(Mode::name);
     let chosen = Mode::FIRST.iter().position(|&one| one == mode);
+    let is_narrow = whole.width() < theme::PAIR_WIDTH;
+    let names = Mode::FIRST.map(Mode::name);
+    // The way that was chosen is written out; the others make room for it.
+    let written = if is_narrow && chosen.is_none() {
+        Mode::FIRST.map(Mode::short_name)
+    } else {
+        names
+    };
     let more = match chosen {
-        _ if whole.width() < theme::PAIR_WIDTH => "More",
+        Some(_) if is_narrow => "More",
         Some(_) => "More ways",
         None => mode.short_name(),
     };
     let all = Segments {
         group: "What is asked for",
-        names: &[names[0], names[1], names[2], more],
+        names: &[written[0], written[1], written[2], more],
+        written: None,
         chosen,
     };
     let arrow = theme::ARROW_WIDTH + 2.0 * theme::STEP;
@@ -58,7 +66,11 @@ fn mode_ui(ui: &mut Ui, cx: &mut AppContext<'_>, mode: Mode) {
         *last += arrow;
     }
     let cells = segments::row(whole, &widths);
-    let first = Segments { names: &names, ..all };
+    let first = Segments {
+        names: &names,
+        written: Some(&written),
+        ..all
+    };
     let now = first.ui(ui, cells.get(..3).unwrap_or_default());
     if let Some(&asked) = now.and_then(|now| Mode::FIRST.get(now)) {
         cx.commands.push(Command::Ask(asked));
@@ -74,13 +86,9 @@ fn more_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (cell, name): (Rect, &str), mod
     let palette = theme::palette(ui);
     let response = ui.interact(cell, ui.scope_id().with("more ways"), Sense::click());
     let is_chosen = Mode::MORE.contains(&mode);
-    segments::segment_ui(
-        ui,
-        cell.with_max_x(cell.right() - theme::ARROW_WIDTH - theme::STEP),
-        name,
-        is_chosen,
-        false,
-    );
+    let words = cell.with_max_x(cell.right() - theme::ARROW_WIDTH - theme::STEP);
+    segments::ground_ui(ui, cell, is_chosen);
+    segments::name_ui(ui, words, name, is_chosen);
     let arrow = Rect::from_center_size(cell.right_center() - vec2(theme::ARROW_INSET, 0.0), theme::ARROW);
     ui.painter().add(egui::Shape::convex_polygon(
         vec![arrow.left_top(), arrow.right_top(), arrow.center_bottom()],

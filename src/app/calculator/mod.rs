@@ -32,7 +32,7 @@ use crate::core::quantity::Length;
 use depth_text::field::{Key, Section};
 use depth_text::note::Severity;
 use depth_text::report::strip::Mode;
-use egui::{Align, Pos2, Rect, Ui, UiBuilder, pos2};
+use egui::{Align, Pos2, Rect, Ui, UiBuilder, pos2, vec2};
 
 /// State of the screen between frames, beside the inputs.
 #[derive(Debug, Default)]
@@ -84,6 +84,7 @@ impl Calculator {
                 self.form_ui(ui, cx);
                 self.results_ui(ui, cx);
                 self.details_ui(ui, cx);
+                simulated::ui(ui, cx, &self.simulations);
             });
         } else {
             self.columns_ui(ui, cx, gap);
@@ -110,19 +111,34 @@ impl Calculator {
             self.form_ui(ui, cx);
             self.details_ui(ui, cx);
         });
+        if has_last && start::is_shown(cx) {
+            let strip_width = last_left - gap - form_right - gap;
+            column_ui(ui, between(form_right + gap, all.right()), "results", gap, |ui| {
+                self.start_ui(ui, cx, strip_width)
+            });
+            return;
+        }
         let middle_right = (last_left - gap).min(all.right());
         column_ui(ui, between(form_right + gap, middle_right), "results", gap, |ui| {
             self.results_ui(ui, cx)
         });
         if has_last {
             column_ui(ui, between(last_left, all.right()), "details", gap, |ui| {
-                if start::is_shown(cx) {
-                    start::example_ui(ui, cx);
-                } else {
-                    self.pictures.last_column_ui(ui, cx);
-                }
+                self.pictures.last_column_ui(ui, cx)
             });
         }
+    }
+
+    /// The start on a wide screen: the strip where it stays, beside it the example, and the picture of the letters across both columns.
+    fn start_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>, strip_width: f32) {
+        let place = ui.available_rect_before_wrap();
+        let row = Rect::from_min_size(place.min, vec2(place.width(), theme::STRIP_HEIGHT));
+        let strip = row.with_max_x(row.left() + strip_width);
+        ui.scope_builder(UiBuilder::new().id_salt("strip").max_rect(strip), |ui| strip::ui(ui, cx));
+        let example = row.with_min_x(strip.right() + cx.layout.gap());
+        let mut beside = ui.new_child(UiBuilder::new().id_salt("example").max_rect(example));
+        start::example_ui(&mut beside, cx, Some(theme::STRIP_HEIGHT));
+        self.pictures.ui(ui, cx);
     }
 
     /// Goes on with the simulations, which take longer than a frame.
@@ -210,7 +226,10 @@ impl Calculator {
         let top: Pos2 = ui.cursor().min;
         strip::ui(ui, cx);
         self.pictures.ui(ui, cx);
-        simulated::ui(ui, cx, &self.simulations);
+        // On a phone they come last: they come and go.
+        if cx.layout != Layout::Phone {
+            simulated::ui(ui, cx, &self.simulations);
+        }
         let rect = Rect::from_min_max(top, ui.min_rect().max);
         self.reveal.scroll(ui, rect, Some(Align::Min));
     }
@@ -218,9 +237,9 @@ impl Calculator {
     /// What stands below the form: the example, or where the uncertainty comes from, and what is left to say.
     fn details_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>) {
         if start::is_shown(cx) {
-            // A wide screen has it in its last column.
+            // A wide screen has it beside the strip.
             if cx.layout != Layout::Wide {
-                start::example_ui(ui, cx);
+                start::example_ui(ui, cx, None);
             }
             return;
         }

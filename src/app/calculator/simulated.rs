@@ -121,7 +121,11 @@ fn histogram_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (method, distribution): (M
     figure::paint(ui, &drawn.figure, rect.min);
     let title = Card::Simulation(method).title();
     let draws = distribution.drawn;
-    let description = Description::Histogram { histogram: shape, draws, unit };
+    let description = Description::Histogram {
+        histogram: shape,
+        draws,
+        unit,
+    };
     picture::describe(ui, &response, title, &description);
     chart::menu_ui(&response, title, cx.commands);
     let stops = drawn.bars.iter().map(|bar| tip::Stop {

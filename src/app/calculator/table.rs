@@ -62,7 +62,13 @@ fn report_link_ui(ui: &mut Ui, cx: &mut AppContext<'_>, place: Rect) {
     let builder = UiBuilder::new().id_salt("report").max_rect(line.translate(vec2(0.0, inset)));
     let mut end = ui.new_child(builder.layout(layout));
     let report = Command::SaveReport;
-    if text::quiet_link_ui(&mut end, report.text(), theme::LINE_HEIGHT_TOUCH).clicked() {
+    // Beside the heading there is room for all of it, but on a phone.
+    let name = match report.text().split_once(" (") {
+        Some((short, _)) if place.width() < theme::PAIR_WIDTH + 2.0 * inset => short,
+        _ => report.text(),
+    };
+    let link = text::quiet_link_ui(&mut end, name, theme::LINE_HEIGHT_TOUCH);
+    if link.accessible_name(report.text()).clicked() {
         cx.commands.push(report);
     }
 }

@@ -76,6 +76,7 @@ fn choice_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (method, unknown): (Method, F
     });
     let cells = segments::grid(whole, 3, 2);
     let all = Segments {
+        written: None,
         group: "Solve for",
         names: &names,
         chosen: OFFERED.iter().position(|&field| field == unknown),

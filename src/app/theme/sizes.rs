@@ -245,6 +245,10 @@ pub const PICTURE_ROWS: [f32; 2] = [280.0, 372.0];
 pub const PICTURE_GROWTH: f32 = 160.0;
 /// The highest a card with a picture grows.
 pub const PICTURE_MAX: f32 = 760.0;
+/// From so many times as large on the picture of the letters is drawn larger than on a desk: for less it is not worth being narrower.
+pub const LETTERS_LARGER: f32 = 1.2;
+/// How large it gets at most.
+pub const LETTERS_LARGEST: f32 = 1.4;
 /// Height of the table of inputs and outputs on a wide screen.
 pub const TABLE_HEIGHT: f32 = 426.0;
 /// The least and the greatest height of its rows.

@@ -2,11 +2,17 @@
 
 use super::menu;
 use crate::app::command::Command;
+use egui::response::Flags;
 use egui::{EventFilter, Id, Key, Modifiers, Popup, Response, Ui};
 
 /// The menu of the chart `response`, named `title`: to save it as a picture.
 pub fn menu_ui(response: &Response, title: &'static str, commands: &mut Vec<Command>) {
-    Popup::context_menu(response).show(|ui| {
+    let mut anywhere = response.clone();
+    // On a point that can be moved, too, which takes the click for itself.
+    if response.contains_pointer() && response.ctx.input(|input| input.pointer.secondary_clicked()) {
+        anywhere.flags.insert(Flags::CLICKED);
+    }
+    Popup::context_menu(&anywhere).show(|ui| {
         menu::style(ui);
         if menu::item_ui(ui, "Save as PNG", true) {
             // All of it has to be seen to be a picture.

@@ -10,6 +10,7 @@ use super::unit_choice::{TypedUnit, typed_unit_choice_ui};
 use crate::app::command::{Command, Helper, Scope};
 use crate::app::sentences::Hint;
 use crate::app::theme;
+use crate::core::quantity::LengthUnit;
 use depth_text::entry::Entry;
 use depth_text::field::Key as FieldKey;
 use depth_text::note::{Note, Part};
@@ -194,7 +195,8 @@ impl Field<'_> {
         if ui.memory(|memory| memory.has_focus(self.id)) {
             self.take_keys(ui, commands);
         }
-        let output = joined::text_ui(ui, cells.value, &mut self.entry.text, (self.id, self.key.example()));
+        let example = self.key.in_unit(self.key.example(), self.length_unit());
+        let output = joined::text_ui(ui, cells.value, &mut self.entry.text, (self.id, &example));
         let response = output.response.response.clone().labelled_by(label.id);
         ui.accesskit_node_builder(self.id, |node| {
             // egui has only text fields, and a unit may be typed. The role tells assistive technology that it is a number, and opens the
@@ -280,6 +282,14 @@ impl Field<'_> {
         Some(TypedUnit::Length(length.unwrap_or(default)))
     }
 
+    /// The unit of length that holds; `None` where there is none, and for squares.
+    fn length_unit(&self) -> Option<LengthUnit> {
+        match self.typed_unit()? {
+            TypedUnit::Length(unit) => Some(unit),
+            TypedUnit::Squares => None,
+        }
+    }
+
     /// The unit of a field without a choice: no more than a word.
     fn fixed_unit_ui(&self, ui: &Ui, cell: Rect) {
         // Another unit stands behind the number.
@@ -302,7 +312,8 @@ impl Field<'_> {
         }
         joined::plus_minus_ui(ui, cell);
         // Not `Role::NumberInput`: the number keyboard of most phones has no "%".
-        let output = joined::text_ui(ui, cell, &mut self.entry.sigma, (id, self.key.sigma_example));
+        let example = self.key.in_unit(self.key.sigma_example, self.length_unit());
+        let output = joined::text_ui(ui, cell, &mut self.entry.sigma, (id, &example));
         let response = output
             .response
             .response

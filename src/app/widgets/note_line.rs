@@ -1,7 +1,7 @@
 //! The line below a field: its hint, or what is wrong with it. It has the same height in any case, so that nothing moves while
 //! somebody types. What does not fit into it is shown on a card over what follows, while the field is used or pointed at.
 
-use super::text;
+use super::{symbols, text};
 use crate::app::command::Command;
 use crate::app::theme;
 use depth_text::note::{Fix, Note, Severity};
@@ -47,7 +47,8 @@ impl NoteLine<'_> {
             None if self.hint.is_empty() => {}
             None => {
                 let hint = one_line(ui, self.hint, theme::palette(ui).muted, line.width());
-                self.label_ui(ui, "hint", line, hint);
+                let hint = self.label_ui(ui, "hint", line, hint);
+                symbols::say(ui, &hint, self.hint);
             }
         }
         if self.notes.is_empty() {
@@ -66,6 +67,7 @@ impl NoteLine<'_> {
         let line = line.with_min_x(line.left() + theme::NOTE_MARK_WIDTH);
         let (text_rect, fix_rect) = line.split_left_right_at_x(line.right() - inline.as_ref().map_or(0.0, |(_, width)| *width));
         let words = one_line(ui, &first.headline(), text::note_color(ui, first.severity), text_rect.width());
+        let is_cut = words.elided || first.headline() != first.message();
         for (index, (note, about)) in self.notes.iter().enumerate() {
             let said = if index == 0 {
                 let said = self.label_ui(ui, "note", text_rect, Arc::clone(&words));
@@ -86,7 +88,11 @@ impl NoteLine<'_> {
             }
         }
         let card = Card {
-            texts: self.texts(words.elided),
+            texts: if is_cut || self.notes.len() > 1 {
+                self.notes.iter().map(|(note, _)| *note).collect()
+            } else {
+                Vec::new()
+            },
             fixes: if inline.is_some() { Vec::new() } else { self.fixes() },
             color: text::note_color(ui, first.severity),
             field: self.field,
@@ -107,18 +113,6 @@ impl NoteLine<'_> {
             Some(open) => _ = data.insert_temp(self.key(), open),
             None => data.remove::<Open>(self.key()),
         });
-    }
-
-    /// What is to be said beyond the line, in which the headline of the first note stands, whole or `is_cut`.
-    fn texts(&self, is_cut: bool) -> Vec<String> {
-        let texts = self.notes.iter().enumerate().map(|(index, (note, _))| {
-            if index == 0 && !is_cut {
-                note.beyond_headline()
-            } else {
-                note.message()
-            }
-        });
-        texts.filter(|text| !text.is_empty()).collect()
     }
 
     /// Whether somebody wants to see all of it.
@@ -172,7 +166,7 @@ impl NoteLine<'_> {
 /// What is shown over what follows the line.
 struct Card<'a> {
     /// What is said on it.
-    texts: Vec<String>,
+    texts: Vec<&'a Note>,
     fixes: Vec<(&'a Note, &'a Fix)>,
     /// The color of its border.
     color: Color32,
@@ -252,7 +246,7 @@ impl Card<'_> {
         let texts: Vec<Arc<Galley>> = self
             .texts
             .iter()
-            .map(|text| ui.painter().layout(text.clone(), font(), color, width))
+            .map(|note| ui.painter().layout(note.message(), font(), color, width))
             .collect();
         let gap = theme::NOTE_CARD_GAP;
         let texts_height: f32 = texts.iter().map(|text| text.size().y + gap).sum();
@@ -385,7 +379,8 @@ fn inline_fix<'a>(ui: &Ui, note: &'a Note, line: Rect) -> Option<(&'a Fix, f32)>
 
 /// `words` in a line at most `width` wide, which ends with "…" if they do not fit.
 fn one_line(ui: &Ui, words: &str, color: Color32, width: f32) -> Arc<Galley> {
-    let mut job = egui::text::LayoutJob::simple_singleline(words.to_owned(), theme::regular(theme::SMALL_SIZE), color);
+    let format = egui::text::TextFormat::simple(theme::regular(theme::SMALL_SIZE), color);
+    let mut job = symbols::job(theme::palette(ui), words, &format, false);
     job.wrap = egui::text::TextWrapping::truncate_at_width(width);
     ui.painter().layout_job(job)
 }

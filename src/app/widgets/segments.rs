@@ -11,6 +11,8 @@ pub struct Segments<'a> {
     pub group: &'a str,
     /// The choices, in reading order.
     pub names: &'a [&'a str],
+    /// What is written in their place where there is little room; `None` for the names.
+    pub written: Option<&'a [&'a str]>,
     /// The one that holds.
     pub chosen: Option<usize>,
 }
@@ -38,7 +40,7 @@ impl Segments<'_> {
             .accessibility_role(Role::RadioGroup)
             .accessibility_label(self.group)
             .max_rect(cells.iter().fold(Rect::NOTHING, |all, cell| all.union(*cell)));
-        let mut ui = ui.new_child(place);
+        let ui = ui.new_child(place);
         let coming = ui.scope_id().with("the focus comes");
         let comes = ui.data_mut(|data| data.remove_temp::<bool>(coming)).is_some();
         let mut now = None;
@@ -48,7 +50,9 @@ impl Segments<'_> {
             let is_chosen = self.chosen == Some(index);
             let sense = if index == first { Sense::click() } else { Sense::CLICK };
             let response = ui.interact(cell, ui.scope_id().with(index), sense);
-            segment_ui(&mut ui, cell, name, is_chosen, response.hovered());
+            ground_ui(&ui, cell, is_chosen || response.hovered());
+            let written = self.written.and_then(|written| written.get(index)).unwrap_or(name);
+            name_ui(&ui, cell, written, is_chosen);
             response.widget_info(|| egui::WidgetInfo::labeled(Role::RadioButton, true, *name));
             ui.accesskit_node_builder(response.id, |node| {
                 node.set_toggled(if is_chosen { Toggled::True } else { Toggled::False });
@@ -76,13 +80,18 @@ impl Segments<'_> {
     }
 }
 
-/// One segment: its ground and its name.
-pub fn segment_ui(ui: &mut Ui, cell: Rect, name: &str, is_chosen: bool, is_hovered: bool) {
-    let palette = theme::palette(ui);
-    if is_chosen || is_hovered {
+/// The ground of a segment, lit up where it is chosen or pointed at.
+pub fn ground_ui(ui: &Ui, cell: Rect, is_lit: bool) {
+    if is_lit {
+        let ground = cell.shrink(theme::THIN_LINE);
         ui.painter()
-            .rect_filled(cell.shrink(theme::THIN_LINE), theme::CONTROL_RADIUS - 1, palette.highlight);
+            .rect_filled(ground, theme::CONTROL_RADIUS - 1, theme::palette(ui).highlight);
     }
+}
+
+/// The name of a segment in the middle of `cell`.
+pub fn name_ui(ui: &Ui, cell: Rect, name: &str, is_chosen: bool) {
+    let palette = theme::palette(ui);
     let (font, color) = if is_chosen {
         (theme::strong(theme::SMALL_SIZE), palette.text)
     } else {

@@ -27,8 +27,12 @@ pub fn card_heading_ui(ui: &mut Ui, text: &str) -> Response {
 
 /// A caption: small and muted.
 pub fn caption_ui(ui: &mut Ui, text: impl Into<String>) -> Response {
-    let muted = theme::palette(ui).muted;
-    ui.label(RichText::new(text).size(theme::SMALL_SIZE).color(muted))
+    let palette = theme::palette(ui);
+    let text = text.into();
+    let format = TextFormat::simple(theme::regular(theme::SMALL_SIZE), palette.muted);
+    let response = ui.label(symbols::job(palette, &text, &format, false));
+    symbols::say(ui, &response, &text);
+    response
 }
 
 /// A paragraph of small text.
@@ -39,7 +43,9 @@ pub fn paragraph_ui(ui: &mut Ui, text: &str) -> Response {
         ..TextFormat::simple(theme::regular(theme::LINK_SIZE), muted)
     };
     let palette = theme::palette(ui);
-    let response = ui.label(symbols::job(palette, text, &format, false));
+    // A number stays with what it counts.
+    let unbroken = text.replace(" %", "\u{a0}%");
+    let response = ui.label(symbols::job(palette, &unbroken, &format, false));
     symbols::say(ui, &response, text);
     response
 }

@@ -137,8 +137,12 @@ impl<'a> Drawing<'a> {
             return;
         }
         let start = self.start(|x| self.model.band_at(x).map(|span| span.low));
-        let ends: Vec<(f32, f32, f32)> = self
-            .places(start)
+        // The upper edge comes in from above between two places.
+        let enters = self.start(|x| self.model.band_at(x)?.high);
+        let mut places: Vec<f64> = self.places(start).chain([enters]).collect();
+        places.sort_by(f64::total_cmp);
+        let ends: Vec<(f32, f32, f32)> = places
+            .into_iter()
             .filter_map(|x| {
                 let Span { low, high } = self.model.band_at(x)?;
                 let top = high.map_or(self.plot.top, |high| self.y(high));

@@ -153,7 +153,7 @@ impl Drawing<'_> {
         };
         let floor = self.floor().map(|_| "Gray: the floor in the image.".to_owned());
         let sentences: Vec<String> = ellipse.into_iter().chain(floor).collect();
-        crate::words::fitted(&sentences, width, self.measure)
+        crate::below::fitted(&sentences, width, self.measure)
     }
 
     fn figure(mut self, [width, height]: [f32; 2]) -> Figure {

@@ -18,6 +18,8 @@ const ABOVE: f32 = 18.0;
 const LOWEST: f64 = 70.0;
 /// The radius of the arc of the angles, at most.
 const ARC: f32 = 150.0;
+/// How much farther out the arc of α is than that of θ, points.
+const ALPHA_BEYOND: f32 = 14.0;
 
 /// The picture from the side.
 #[derive(Clone, Debug, PartialEq)]
@@ -203,8 +205,8 @@ impl Drawing<'_> {
         self.scene
             .circle(ring, RING, Some(Fill::new(Ink::Surface)), Some(Stroke::new(Ink::Text, 2.25)));
         self.labels.keep_off(grown(Rect::new(ring.x, ring.y, ring.x, ring.y), RING + 2.0));
-        let arc = self.arc();
-        self.write(arc, height);
+        let radii = self.arcs();
+        self.write(radii, height);
         self.labels.finish(&mut figure, self.scene);
         figure
     }
@@ -281,27 +283,31 @@ impl Drawing<'_> {
         }
     }
 
-    /// From level to the axis and the ray. Returns its radius.
-    fn arc(&mut self) -> f32 {
+    /// An arc for each angle: θ from level to the optical axis, α from there to the ray, a little farther out. Returns their radii.
+    fn arcs(&mut self) -> [f32; 2] {
         let (lens, ring) = (self.lens(), self.ring());
         let far = (ring.x - lens.x).hypot(ring.y - lens.y);
         let wanted = ARC.min(0.45 * far).min(self.plot.right - lens.x - 40.0).max(24.0);
         let (pitch, ray) = (self.model.pitch.0, self.model.pitch.0 + self.model.below_axis.0);
-        let (from, to) = (pitch.min(ray).min(0.0), pitch.max(ray).max(0.0));
-        let arc = |radius: f32| -> Vec<Point> {
+        let radii = [wanted, wanted.min(0.6 * (self.scale.origin.y - lens.y)), 16.0];
+        let theta = self.arc([0.0, pitch], &radii);
+        let alpha = self.arc([pitch, ray], &radii.map(|radius| radius + ALPHA_BEYOND));
+        [theta, alpha]
+    }
+
+    /// An arc around the lens between two angles, with the first of `radii` that fits into the plot, which is returned.
+    fn arc(&mut self, [from, to]: [f64; 2], radii: &[f32; 3]) -> f32 {
+        let points = |radius: f32| -> Vec<Point> {
             let angles = (0..=24_u8).map(|step| from + (to - from) * f64::from(step) / 24.0);
             angles.map(|angle| self.towards(angle, radius)).collect()
         };
         let plot = grown(self.plot, 4.0);
         let is_inside = |point: &Point| (plot.left..=plot.right).contains(&point.x) && (plot.top..=plot.bottom).contains(&point.y);
-        let radii = [wanted, wanted.min(0.6 * (self.scale.origin.y - lens.y)), 16.0];
-        let Some((radius, points)) = radii
-            .into_iter()
-            .map(|radius| (radius, arc(radius)))
-            .find(|(_, points)| points.iter().all(is_inside))
-        else {
-            return wanted;
-        };
+        let found = radii
+            .iter()
+            .map(|&radius| (radius, points(radius)))
+            .find(|(_, points)| points.iter().all(is_inside));
+        let Some((radius, points)) = found else { return radii[0] };
         for (start, end) in points.iter().zip(points.iter().skip(1)) {
             self.labels.avoid_line(*start, *end);
         }
@@ -310,7 +316,7 @@ impl Drawing<'_> {
     }
 
     /// Everything that is written.
-    fn write(&mut self, radius: f32, height: f32) {
+    fn write(&mut self, [theta_radius, alpha_radius]: [f32; 2], height: f32) {
         let (lens, ring, model) = (self.lens(), self.ring(), self.model);
         let floor = self.scale.origin.y;
         let side = if model.ahead.value.m() < 0.0 { "behind" } else { "ahead" };
@@ -325,9 +331,9 @@ impl Drawing<'_> {
             width,
         );
         let (pitch, below) = (model.pitch.0, model.below_axis.0);
-        let beside = |angle: f64, more: f32| (self.towards(angle, radius + more), Align::Left);
-        let theta: Vec<_> = [8.0, 24.0, 60.0].map(|more| beside(pitch / 2.0, more)).into();
-        let alpha: Vec<_> = [8.0, 24.0, 60.0].map(|more| beside(pitch + below / 2.0, more)).into();
+        let beside = |angle: f64, radius: f32, more: f32| (self.towards(angle, radius + more), Align::Left);
+        let theta: Vec<_> = [8.0, 24.0, 60.0].map(|more| beside(pitch / 2.0, theta_radius, more)).into();
+        let alpha: Vec<_> = [8.0, 24.0, 60.0].map(|more| beside(pitch + below / 2.0, alpha_radius, more)).into();
         let h = Point::new(lens.x + 12.0, f32::midpoint(lens.y, floor));
         self.labels.put(
             &strong(format!("H = {}", model.height.1)),

@@ -23,15 +23,21 @@ impl Schema {
         let is_roomy = width >= ROOMY;
         let answer = measure.width(&Words::new("the answer", Ink::Muted), SMALL);
         let right = if is_roomy {
-            (width - answer - 14.0).min(408.0)
+            (width - answer - 14.0).min(560.0)
         } else {
             width - answer / 2.0 - 1.0
         };
-        Self {
+        let schema = Self {
             top,
             is_roomy,
             columns: [if is_roomy { 66.0 } else { 46.0 }, right],
             height: if is_roomy { 1.0 } else { 0.84 },
+        };
+        // The name of the right image, beside the line ahead of the camera.
+        let name = measure.width(&Words::new("right image", Ink::Muted), SMALL);
+        Self {
+            is_roomy: is_roomy && schema.x(306.0) - schema.x(236.0) >= name + 4.0,
+            ..schema
         }
     }
 

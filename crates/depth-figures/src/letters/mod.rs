@@ -28,7 +28,7 @@ pub fn figure(width: f32, highlighted: Option<&str>, measure: &dyn Measure) -> F
         highlighted,
     };
     let bottom = if width >= NARROW {
-        let images = (width * 0.342).clamp(204.0, 268.0);
+        let images = (width * 0.342).clamp(204.0, 320.0);
         let schema = above::Schema::new(width - images - 32.0, 0.0, measure);
         schema.draw(&mut pen);
         let stack = images::Stack {

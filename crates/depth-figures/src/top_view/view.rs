@@ -4,7 +4,7 @@ use super::draw::Drawing;
 use super::fit::Fit;
 use super::model::{Model, Sight};
 use super::options::{Drag, Options};
-use crate::{Figure, Measure, Point, Rect, words};
+use crate::{Figure, Measure, Point, Rect, below};
 use depth_core::quantity::Length;
 
 /// The picture, what is written beside it, and where things are that can be dragged.
@@ -96,8 +96,8 @@ fn note(model: &Model, fit: &Fit, drag: Drag, width: f32, measure: &dyn Measure)
     let so_far = sentences.join(" ");
     let with_keys = "The ring can be dragged, or moved with the arrow keys.";
     if model.stereo.is_some() && drag != Drag::No {
-        let has_room = drag == Drag::PointerAndKeys && words::fits(&format!("{so_far} {with_keys}"), width, measure);
+        let has_room = drag == Drag::PointerAndKeys && below::fits(&format!("{so_far} {with_keys}"), width, measure);
         sentences.push(if has_room { with_keys } else { "The ring can be dragged." }.to_owned());
     }
-    words::fitted(&sentences, width, measure)
+    below::fitted(&sentences, width, measure)
 }

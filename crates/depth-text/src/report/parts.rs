@@ -196,6 +196,7 @@ fn floor(assessment: &Assessment, unit: LengthUnit) -> Part {
         ("To the right", ground.and_then(|ground| ground.right), "square to that"),
         ("Along the floor", ground.map(|ground| ground.distance), "from below the camera"),
         ("Slant, from the lens", ground.map(|ground| ground.slant), "along the ray"),
+        ("Depth, from the lens", ground.map(|ground| ground.depth), "along the optical axis"),
     ];
     results(rows, unit)
 }
@@ -281,11 +282,11 @@ mod tests {
     }
 
     #[test]
-    fn the_mast_has_its_nine_inputs_and_four_distances() {
+    fn the_mast_has_its_inputs_and_five_distances() {
         let inputs = Example::Mast.inputs();
         let rows = rows(Mode::Ground, &inputs, &inputs.assess());
         let at = rows.iter().position(|row| row.heading == Some(DISTANCES));
-        assert_eq!((rows.len(), at), (13, Some(9)));
+        assert_eq!((rows.len(), at), (14, Some(9)));
         let along: Vec<_> = rows.iter().skip(9).map(|row| (row.value.as_str(), row.sigma.as_deref())).collect();
         assert_eq!(
             along,
@@ -293,7 +294,8 @@ mod tests {
                 ("3.08", Some("0.15")),
                 ("2.13", Some("0.10")),
                 ("3.74", Some("0.18")),
-                ("3.93", Some("0.19"))
+                ("3.93", Some("0.19")),
+                ("3.24", Some("0.15"))
             ]
         );
     }

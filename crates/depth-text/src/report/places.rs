@@ -99,6 +99,7 @@ pub fn ground(style: Style, ground: &GroundSolution, unit: LengthUnit) -> Vec<(&
         right,
         Some((ALONG_FLOOR, ground.distance)),
         Some(("Slant, from the lens", ground.slant)),
+        Some(("Depth, from the lens", ground.depth)),
     ];
     lines
         .into_iter()

@@ -18,15 +18,6 @@ impl Note {
             _ => first_sentence(&self.message()),
         }
     }
-
-    /// What there is to say beyond the [headline](Self::headline), for whoever reads that already; empty where that is all.
-    pub fn beyond_headline(&self) -> String {
-        let message = self.message();
-        match message.strip_prefix(&self.headline()) {
-            Some(rest) => rest.trim_start_matches(['.', ' ']).to_owned(),
-            None => message,
-        }
-    }
 }
 
 /// The first sentence of several, with its mark only where that is a question.

@@ -9,7 +9,7 @@ use crate::app::saved::{Settings, Ways};
 use crate::app::sentences::Hint;
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
-use crate::app::widgets::{scroll, text};
+use crate::app::widgets::{scroll, symbols, text};
 use crate::core::q_matrix::StereoGeometry;
 use crate::core::quantity::{Length, LengthUnit};
 use depth_text::choices::{MATCHING_ERRORS, SENSOR_FORMATS};
@@ -19,7 +19,8 @@ use depth_text::note::{Issue, Note};
 use depth_text::number::plain;
 use depth_text::reading::{self, Reading};
 use depth_text::ways::{BASELINES, DISPARITIES, FOCAL_LENGTHS, Way, WayResult};
-use egui::{Button, ComboBox, RichText, Stroke, Ui, vec2};
+use egui::text::TextFormat;
+use egui::{Button, ComboBox, Stroke, Ui, vec2};
 
 const fn title(helper: Helper) -> &'static str {
     match helper {
@@ -61,8 +62,9 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: &Solved)
         ui.spacing_mut().interact_size.y = cx.layout.control_height();
         ui.add_space(2.0 * theme::STEP);
         let height = ui.ctx().content_rect().height() - theme::HELPER_FRAME_HEIGHT;
+        let mut way = None;
         scroll::up_to_ui(ui, height, |ui| {
-            let way = way_choice_ui(ui, helper, &mut cx.settings.ways);
+            way = way_choice_ui(ui, helper, &mut cx.settings.ways);
             match way {
                 Some(way) => way_ui(ui, cx, way, solved.of_way(way)),
                 None => q_matrix::ui(ui, cx, solved.q_matrix.as_ref(), solved.square.as_ref()),
@@ -72,7 +74,13 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: &Solved)
             }
         });
         ui.add_space(theme::STEP);
-        close_button_ui(ui, cancel.text(), cx.layout)
+        ui.horizontal_wrapped(|ui| {
+            if let Some(way) = way {
+                use_ui(ui, cx, way, solved.of_way(way));
+            }
+            close_button_ui(ui, cancel.text(), cx.layout)
+        })
+        .inner
     });
     if response.inner || response.should_close() {
         cx.commands.push(cancel);
@@ -181,7 +189,10 @@ fn way_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
         text::caption_ui(ui, Hint::View { view }.to_string());
     }
     text::caption_ui(ui, way.remark);
-    ui.add_space(theme::STEP);
+}
+
+/// The button that takes what `way` has worked out.
+fn use_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
     let symbol = way.target.symbol;
     let label = result
         .value
@@ -240,9 +251,10 @@ fn typical_errors_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
 fn use_button_ui(ui: &mut Ui, label: &str, enabled: bool) -> bool {
     let height = ui.spacing().interact_size.y;
     let palette = theme::palette(ui);
-    let button = Button::new(RichText::new(label).font(theme::strong(theme::BODY_SIZE)).color(palette.on_blue))
+    let format = TextFormat::simple(theme::strong(theme::BODY_SIZE), palette.on_blue);
+    let button = Button::new(symbols::job(palette, label, &format, false))
         .fill(palette.blue)
         .stroke(Stroke::NONE)
         .min_size(vec2(0.0, height));
-    ui.add_enabled(enabled, button).clicked()
+    ui.add_enabled(enabled, button).accessible_name(label).clicked()
 }

@@ -60,7 +60,7 @@ impl Pictures {
         let (layout, gap) = (cx.layout, cx.layout.gap());
         if start::is_shown(cx) {
             let rest = column_height(ui) - theme::STRIP_HEIGHT - gap;
-            start::letters_ui(ui, if layout == Layout::Desktop { rest } else { 0.0 });
+            start::letters_ui(ui, if layout.columns() > 1 { rest } else { 0.0 });
             return;
         }
         let rows = rows(cx.mode());
@@ -106,7 +106,12 @@ impl Pictures {
         let [_, lower] = theme::PICTURE_ROWS;
         let rest = column_height(ui) - cx.layout.gap() - theme::TABLE_HEIGHT;
         for &card in rows(cx.mode()).iter().skip(1).copied().flatten() {
-            self.card_ui(ui, cx, card, rest.clamp(lower, theme::PICTURE_MAX));
+            let height = if card == Card::Table {
+                theme::TABLE_HEIGHT
+            } else {
+                rest.clamp(lower, theme::PICTURE_MAX)
+            };
+            self.card_ui(ui, cx, card, height);
         }
     }
 

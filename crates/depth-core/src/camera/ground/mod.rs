@@ -71,7 +71,7 @@ pub struct GroundSolution {
     /// How far below the optical axis the point is seen, α.
     pub below_axis: Angle,
     /// How far it is along the optical axis: what its column is counted at.
-    pub depth: Length,
+    pub depth: Measured<Length>,
     /// How many columns it is to the right of the principal point, u − cx; `None` without a column.
     pub aside: Option<Pixels>,
     /// What each term has of the variance of [`ahead`](Self::ahead), 0 to 1; they add to 1, or are 0 where all is exact.
@@ -86,7 +86,7 @@ impl GroundView {
     /// Where the ray meets the level plane at the height of the point.
     ///
     /// With h the height of the camera above the point, θ its pitch, y = (v − cy)/fy and x = (u − cx)/fx: the ray (x, y, 1)
-    /// meets the plane at its multiple s = h/(sin θ + y·cos θ); ahead s·(cos θ − y·sin θ), right s·x, slant s·√(1 + x² + y²).
+    /// meets the plane at its multiple s = h/(sin θ + y·cos θ), which is its depth; ahead s·(cos θ − y·sin θ), right s·x, slant s·√(1 + x² + y²).
     ///
     /// ```
     /// use depth_core::angle::Angle;
@@ -132,7 +132,7 @@ impl GroundView {
             horizon_row: self.horizon_row(),
             main_cause,
             below_axis: Angle::from_radians(ray.y.atan()),
-            depth: Length::from_m(ray.s),
+            depth: measured(&ray.depth())?,
             aside: self.right_of_axis.map(|right| Pixels::new(right.column.px() - right.cx.px())),
             ahead_shares: self.of_variance(ray.shares(&ahead)),
             right_shares: self.of_variance(ray.shares(&right)),

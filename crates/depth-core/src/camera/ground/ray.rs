@@ -78,6 +78,19 @@ impl Ray {
         }
     }
 
+    pub(super) fn depth(&self) -> Partials {
+        let Self {
+            h, cos, down, forward, s, ..
+        } = *self;
+        Partials {
+            value: s,
+            per_meter_of_height: s / h,
+            per_radian_of_pitch: -(s / down) * forward,
+            per_slope: -(s / down) * cos,
+            per_slope_right: 0.0,
+        }
+    }
+
     pub(super) fn slant(&self) -> Partials {
         let Self {
             x,

@@ -105,6 +105,24 @@ impl Value {
         }
     }
 
+    /// A small length to two digits in the unit of its system that suits it: "28 mm".
+    pub(super) fn rounded(length: Length, unit: LengthUnit) -> Self {
+        use LengthUnit::{Centimeter, Inch, Meter, Micrometer, Millimeter};
+        let meters = length.m().abs();
+        let unit = match unit {
+            Meter | Centimeter | Millimeter | LengthUnit::Kilometer if meters < 0.001 => Micrometer,
+            Meter | Centimeter | Millimeter | LengthUnit::Kilometer if meters < 1.0 => Millimeter,
+            LengthUnit::Foot | LengthUnit::Yard | LengthUnit::Mile if meters < 0.3 => Inch,
+            unit => unit,
+        };
+        Self::Number {
+            number: STYLE.readable(length.in_unit(unit), 2),
+            sigma: None,
+            power: String::new(),
+            unit: Some(Unit::Length(unit)),
+        }
+    }
+
     /// A number for a place that has no room for its σ.
     #[must_use]
     pub fn without_sigma(&self) -> Self {

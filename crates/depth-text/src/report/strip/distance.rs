@@ -2,7 +2,6 @@
 
 use super::cell::{Badge, Cell, Quality, STYLE, Value, sentence};
 use super::line::{Line, numbers};
-use super::quantity::rounded;
 use super::refusal::refused;
 use super::shown::Shown;
 use crate::assess::Assessment;
@@ -166,7 +165,7 @@ fn remarks(assessment: &Assessment, method: Method, unit: LengthUnit) -> Vec<Str
     let is_poor = uncertainty.is_some_and(|known| !known.model.first_order_is_good());
     let poor = is_poor.then(|| sentence(Statement::FirstOrderIsPoor { has_simulation: true }));
     let bias = uncertainty.and_then(|known| known.notable_bias()).map(|bias| {
-        let bias = rounded(bias, unit).text();
+        let bias = Value::rounded(bias, unit).text();
         Phrase::MeanIsTooFar { bias }.to_string()
     });
     of_method.chain(one_pixel).chain(facing).chain(poor).chain(bias).collect()

@@ -118,7 +118,7 @@ fn to_the_right(shown: &Shown<'_>, ground: &GroundSolution, cell: Cell) -> Cell 
         return Cell { value, ..cell };
     };
     let px = Unit::Pixel.behind(&STYLE.readable(aside.px(), 5));
-    let depth = STYLE.length(Some(ground.depth), unit);
+    let depth = STYLE.length(Some(ground.depth.value), unit);
     // The difference is the same for both signs of a formula.
     let formula = "depth · aside / fx";
     let solved = [("depth", depth), ("aside", px)];

@@ -66,6 +66,8 @@ impl Mode {
     /// Its name where there is little room.
     pub const fn short_name(self) -> &'static str {
         match self {
+            Self::Quantity => "Quantity",
+            Self::Ground => "Ground",
             Self::TwoShots => "Two photos",
             _ => self.name(),
         }

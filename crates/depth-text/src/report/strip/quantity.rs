@@ -199,7 +199,7 @@ fn one_pixel_of_disparity(shown: &Shown<'_>) -> Cell {
     };
     let ((fewer, farther), (more, nearer)) = (at(-1.0), at(1.0));
     Cell {
-        value: rounded(step, unit),
+        value: Value::rounded(step, unit),
         lines: [
             Line::of(
                 Phrase::OneLess {
@@ -217,24 +217,6 @@ fn one_pixel_of_disparity(shown: &Shown<'_>) -> Cell {
             ),
         ],
         ..cell
-    }
-}
-
-/// A small length to two digits in the unit of its system that suits it: "28 mm".
-pub(super) fn rounded(length: Length, unit: LengthUnit) -> Value {
-    use LengthUnit::{Centimeter, Inch, Meter, Micrometer, Millimeter};
-    let meters = length.m().abs();
-    let unit = match unit {
-        Meter | Centimeter | Millimeter | LengthUnit::Kilometer if meters < 0.001 => Micrometer,
-        Meter | Centimeter | Millimeter | LengthUnit::Kilometer if meters < 1.0 => Millimeter,
-        LengthUnit::Foot | LengthUnit::Yard | LengthUnit::Mile if meters < 0.3 => Inch,
-        unit => unit,
-    };
-    Value::Number {
-        number: STYLE.readable(length.in_unit(unit), 2),
-        sigma: None,
-        power: String::new(),
-        unit: Some(Unit::Length(unit)),
     }
 }
 
@@ -283,7 +265,7 @@ fn one_pixel_on_the_object(shown: &Shown<'_>, unknown: &Unknown) -> Cell {
     Cell {
         title: Phrase::OnePixelOnObject.to_string(),
         formula: "D / fx".to_owned(),
-        value: size.map_or(Value::Nothing, |size| rounded(size, shown.unit)),
+        value: size.map_or(Value::Nothing, |size| Value::rounded(size, shown.unit)),
         lines: [Line::of(Phrase::SidewaysAtDistance, &[]), Line::default()],
         ..Cell::default()
     }
