@@ -3,7 +3,9 @@
 use super::command::Command;
 use super::context::AppContext;
 use super::sentences::NoticeText;
-use super::widgets::text;
+use super::theme;
+use super::widgets::{symbols, text};
+use egui::text::TextFormat;
 use egui::{Button, Ui, vec2};
 
 /// What the notice bar says.
@@ -19,7 +21,11 @@ impl Notice {
     /// Draws the contents of the bar.
     pub fn ui(&self, ui: &mut Ui, cx: &mut AppContext<'_>) {
         ui.horizontal_wrapped(|ui| {
-            let said = ui.label(self.text.to_string());
+            let words = self.text.to_string();
+            let palette = theme::palette(ui);
+            let format = TextFormat::simple(theme::regular(theme::BODY_SIZE), palette.text);
+            let said = ui.label(symbols::job(palette, &words, &format, false));
+            symbols::say(ui, &said, &words);
             text::announce(ui, &said);
             let button = |name: &str| Button::new(name).min_size(vec2(0.0, cx.layout.control_height()));
             if let Some(action) = &self.action

@@ -265,9 +265,14 @@ export class Page {
     return this.run('const { x, y, width, height } = arguments[0].getBoundingClientRect(); return { x: Math.round(x + width / 2), y: Math.round(y + height / 2) }', element);
   }
 
-  /** Moves the mouse to where the program has painted an element of the mirror. */
+  /** Moves the mouse to where the program has painted an element of the mirror, once it lies still. */
   async moveTo(element) {
-    await this.driver.actions().move(await this.middle(element)).perform();
+    let place = await this.middle(element);
+    for (let before; String([before?.x, before?.y]) !== String([place.x, place.y]); place = await this.middle(element)) {
+      before = place;
+      await this.frames();
+    }
+    await this.driver.actions().move(place).perform();
   }
 
   /** Clicks with the mouse where the program has painted what has this name. */

@@ -138,7 +138,7 @@ fn the_table_has_nine_rows_in_two_parts_one_for_both_methods_combined_and_a_head
     let roles: Vec<Role> = table.children_recursive().map(|node| node.accesskit_node().role()).collect();
     // The header, and the title of the second part.
     assert_eq!(roles.iter().filter(|&&role| role == Role::Row).count(), 1 + 5 + 1 + 4 + 1);
-    assert_eq!(roles.iter().filter(|&&role| role == Role::ColumnHeader).count(), 3);
+    assert_eq!(roles.iter().filter(|&&role| role == Role::ColumnHeader).count(), 4);
     assert_eq!(roles.iter().filter(|&&role| role == Role::RowHeader).count(), 5 + 1 + 4 + 1);
     let names: Vec<String> = table.children_recursive().filter_map(|node| node.value()).collect();
     assert!(names.iter().any(|name| name == "Intermediate values"), "{names:?}");

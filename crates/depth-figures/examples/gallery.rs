@@ -118,7 +118,7 @@ fn solved_for(page: &mut String) {
     page.push_str("<div>");
     for width in WIDTHS {
         let rows = Bars::gains(&disparity).layout(width, 220.0, &InterWidths);
-        card(page, "What it gains to know one exactly", &rows.caption, &rows.figure);
+        card(page, "If one input were exact", &rows.caption, &rows.figure);
         let distance = Measured::from_base(1.4, 0.01);
         let Some(model) = CurveModel::inverse(&solved(MUG).problem, distance, LengthUnit::Meter) else {
             continue;

@@ -28,7 +28,7 @@ fn main() -> std::io::Result<()> {
         fonts.display()
     );
     for (width, symbol) in WIDTHS.into_iter().zip([Some("w_real"), None, Some("d"), Some("b"), Some("fx")]) {
-        let figure = letters::figure(width, symbol, &InterWidths);
+        let figure = letters::figure(width, symbol, false, &InterWidths);
         let caption = if width < 560.0 { letters::SHORT_CAPTION } else { letters::CAPTION };
         card(&mut page, ["What the letters mean", caption, ""], &figure);
     }

@@ -1,4 +1,4 @@
-//! What the rows of "Stereo against monocular" and of "What it gains to know one exactly" show; [`crate::rows`] lays them out.
+//! What the rows of "Stereo against monocular" and of "If one input were exact" show; [`crate::rows`] lays them out.
 
 use crate::axis::Quantity;
 use crate::numbers;
@@ -94,7 +94,7 @@ impl Bars {
         }
     }
 
-    /// "What it gains to know one exactly": σ as it is, and without each of its sources, σ·√(1 − share).
+    /// "If one input were exact": σ as it is, and without each of its sources, σ·√(1 − share).
     pub fn gains(solved: &Solved) -> Self {
         let Solved {
             value,
@@ -207,7 +207,7 @@ fn why_not_combined(solution: &Solution, has_both: bool) -> &'static str {
     } else if solution.comparison.is_some_and(|comparison| comparison.contradict()) {
         "not combined"
     } else {
-        "needs ± of both"
+        "needs ± in both"
     }
 }
 

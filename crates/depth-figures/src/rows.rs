@@ -36,7 +36,7 @@ const NARROW: f64 = 0.5;
 pub struct Rows {
     /// The picture.
     pub figure: Figure,
-    /// What is to be said of the axis: "axis around the values", "axis from zero"; empty where nothing is drawn.
+    /// What is to be said of the axis: "axis does not start at 0", "axis from zero"; empty where nothing is drawn.
     pub caption: String,
     /// The rows, from the top.
     pub rows: Vec<Row>,
@@ -81,10 +81,9 @@ impl Bars {
             drawing.gap(track(*rect), gap);
         }
         let has_sigma = self.rows.iter().any(|row| row.estimate.is_some_and(|known| known.sigma.is_some()));
-        drawing.axis(axis_y, has_sigma);
+        drawing.axis(axis_y, has_sigma, self.band.is_some());
         let caption = match (&drawing.axis, scale) {
-            (Some(_), Some(Scale::Around(..))) if self.has_bars => "axis around the values",
-            (Some(_), Some(Scale::Around(..))) => "axis around the value",
+            (Some(_), Some(Scale::Around(..))) => "axis does not start at 0",
             (Some(_), Some(Scale::FromZero(_))) => "axis from zero",
             _ => "",
         };
@@ -340,7 +339,7 @@ impl Drawing<'_> {
         self.figure.text(Point::new(center, y), Align::Center, words, LABEL_SIZE);
     }
 
-    fn axis(&mut self, y: f32, has_sigma: bool) {
+    fn axis(&mut self, y: f32, has_sigma: bool, has_band: bool) {
         let width = self.figure.width;
         let line = Stroke::new(Ink::Border, 1.0);
         self.figure.line(Point::new(0.0, y), Point::new(width, y), line);
@@ -362,12 +361,12 @@ impl Drawing<'_> {
         let taken = self.measure.width(&title, LABEL_SIZE);
         self.figure.text(Point::new(0.0, y + 32.0), Align::Left, title, LABEL_SIZE);
         if has_sigma {
-            self.legend(y + 32.0, taken + 10.0);
+            self.legend(y + 32.0, taken + 10.0, has_band);
         }
     }
 
-    /// "▬ ± 1 σ  — ± 2 σ" at the right, if there is room beyond `from`.
-    fn legend(&mut self, y: f32, from: f32) {
+    /// "▮ combined  ▬ ± 1 σ  — ± 2 σ" at the right, as far as there is room beyond `from`.
+    fn legend(&mut self, y: f32, from: f32, has_band: bool) {
         const SWATCH: f32 = 22.0;
         const APART: f32 = 6.0;
         const BETWEEN: f32 = 16.0;
@@ -383,6 +382,14 @@ impl Drawing<'_> {
             let stroke = Stroke::new(Ink::Muted, thick);
             self.figure.line(Point::new(left, y), Point::new(left + SWATCH, y), stroke);
             self.figure.text(Point::new(text, y), Align::Left, words(times), LABEL_SIZE);
+        }
+        let name = Words::new(if self.has_bars { "combined" } else { "as typed" }, Ink::Muted);
+        let text = one - BETWEEN - self.measure.width(&name, LABEL_SIZE);
+        let band = Rect::new(text - APART - 12.0, y - 6.0, text - APART, y + 6.0);
+        if has_band && band.left >= from {
+            self.figure
+                .frame(band, 0.0, Some(Fill::new(Ink::Band)), Stroke::new(Ink::Line, 1.0));
+            self.figure.text(Point::new(text, y), Align::Left, name, LABEL_SIZE);
         }
     }
 }

@@ -113,7 +113,7 @@ fn there_are_three_rows_in_their_places_whatever_is_known() {
 #[test]
 fn the_mug_agrees_on_an_axis_around_its_values() {
     let rows = mug();
-    assert_eq!(rows.caption, "axis around the values");
+    assert_eq!(rows.caption, "axis does not start at 0");
     let said: Vec<_> = rows.rows.iter().map(|row| row.value.text()).collect();
     assert_eq!(said, ["(1.400 ± 0.016) m", "(1.400 ± 0.050) m", "(1.400 ± 0.015) m"]);
     assert_eq!(rows.rows[1].tip, ["± 1 σ: 1.350…1.451 m", "± 2 σ: 1.300…1.502 m"]);
@@ -190,7 +190,7 @@ fn without_sigma_there_is_no_legend() {
     };
     let texts: Vec<_> = rows.figure.shapes.iter().filter_map(text).collect();
     assert!(!texts.iter().any(|text| text.contains('σ')), "{texts:?}");
-    assert_eq!(rows.rows[2].value.text(), "needs ± of both");
+    assert_eq!(rows.rows[2].value.text(), "needs ± in both");
 }
 
 /// √(1 − 60.6 %) = 63 %.
@@ -209,7 +209,7 @@ fn without_a_source_its_share_of_the_variance_is_gone() {
         panic!("no band")
     };
     assert!((high - low - 2.0 * 0.4588).abs() < 1e-12);
-    assert_eq!(drawn(&bars).caption, "axis around the value");
+    assert_eq!(drawn(&bars).caption, "axis does not start at 0");
 }
 
 proptest! {

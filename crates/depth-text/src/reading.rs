@@ -268,6 +268,12 @@ fn unreadable(key: Key, entry: &Entry, error: NumberError) -> Note {
         NumberError::UnknownUnit(unit) => return Note::error(key, Issue::UnknownUnit { key, unit }),
         NumberError::Ambiguous { readings } => readings,
     };
+    // No reading is one that the field refuses.
+    let unsigned = |reading: String| match reading.strip_prefix(['-', '−']) {
+        Some(rest) if !key.signed => rest.to_owned(),
+        _ => reading,
+    };
+    let readings: Vec<String> = readings.into_iter().map(unsigned).collect();
     let issue = match readings.as_slice() {
         [] => Issue::SeveralSeparators { text },
         [one] => Issue::UnusualSeparators {
@@ -280,11 +286,8 @@ fn unreadable(key: Key, entry: &Entry, error: NumberError) -> Note {
             few: few.clone(),
         },
     };
-    // No correction is one that the field refuses.
-    let fixes = readings.into_iter().map(|reading| {
-        let unsigned = reading.strip_prefix(['-', '−']).filter(|_| !key.signed);
-        let reading = unsigned.map(str::to_owned).unwrap_or(reading);
-        Fix::new(reading.clone(), Entry::new(reading, entry.unit))
-    });
+    let fixes = readings
+        .into_iter()
+        .map(|reading| Fix::new(reading.clone(), Entry::new(reading, entry.unit)));
     Note::error(key, issue).with_fixes(fixes.collect())
 }

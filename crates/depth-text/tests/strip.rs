@@ -60,7 +60,7 @@ fn why_the_combined_sigma_is_wider_than_both_is_said() {
     apart[4] = ("wreal", "0.32 ± 0.01");
     let [_, _, combined] = texts(&strip(Mode::Distance, &form(&apart), None));
     assert!(
-        combined.ends_with("1.8 σ apart; stereo weighs 90 % | ± is 1.8 times as wide, as they differ"),
+        combined.ends_with("1.8 σ apart, so ± is 1.8 times as wide | The shared fx is counted once"),
         "{combined}"
     );
 }
@@ -80,7 +80,7 @@ fn equal_distances_are_called_equal() {
     let [_, _, combined] = texts(&strip(Mode::Distance, &form(&exact), None));
     assert_eq!(
         combined,
-        "Combined |  | needs ± in both | Both distances are equal | With ± it says whether that is too far"
+        "Combined |  | needs ± in both | Both distances are equal | Add ± to both to see if they agree"
     );
 }
 
@@ -180,7 +180,7 @@ fn without_sigma_a_pixel_says_how_sure_it_is() {
     both.entry_mut(Field::RealWidth).text = "0.31".into();
     assert_eq!(
         texts(&strip(Mode::Distance, &both, None))[2],
-        "Combined |  | needs ± in both | Monocular is 1.03 times as far | With ± it says whether that is too far"
+        "Combined |  | needs ± in both | Monocular is 1.03 times as far | Add ± to both to see if they agree"
     );
 }
 
@@ -213,7 +213,7 @@ fn a_solved_disparity_has_its_meaning_and_the_form_of_opencv() {
         [
             "Disparity | fx · b / D | (50.00 ± 0.46) px | 49.54…50.46 px · 60 % from D | 700 px · 0.1 m / 1.40 m",
             "One pixel at this distance | D / d | 28 mm | One less, 49 px: 1.429 m | One more, 51 px: 1.373 m",
-            "For OpenCV | d × 16 | (800.0 ± 7.3) | As StereoBM, SGBM return it | numDisparities: 64 or more",
+            "For OpenCV | d × 16 | (800.0 ± 7.3) | As StereoBM returns it | numDisparities: 64 or more",
         ]
     );
     inputs.entry_mut(fields::DISTANCE).text.clear();

@@ -7,11 +7,12 @@ use crate::app::sentences::Hint;
 use crate::app::theme;
 use crate::app::widgets::{symbols, text};
 use depth_text::field::Key;
-use depth_text::report::strip::{Cell, Value};
+use depth_text::report::strip::{Cell, Line, Part, Value};
 use egui::text::{LayoutJob, TextFormat};
-use egui::{Align, Label, Layout, Rect, Sense, Stroke, Ui, UiBuilder, vec2};
+use egui::{Align, Galley, Label, Layout, Rect, Sense, Stroke, Ui, UiBuilder, vec2};
 use std::fmt::Debug;
 use std::hash::Hash;
+use std::sync::Arc;
 
 /// The contents of the bar that keeps the answer in sight on a phone: the answer, or what is missing and a button that goes there.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
@@ -20,10 +21,16 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let numbers = strip.cells.iter().filter(|cell| matches!(cell.value, Value::Number { .. })).count();
     // Each line has its place, whatever else is in the bar.
     let (whole, _) = ui.allocate_exact_size(vec2(ui.available_width(), theme::BAR_HEIGHT), Sense::hover());
+    if let Some((words, key)) = next_refused(&strip.cells) {
+        go_bar_ui(ui, cx, (&words, key, "Fix"), whole);
+        return;
+    }
     if numbers == 0
         && let Some((title, key, count)) = next_missing(&strip.cells)
     {
-        missing_bar_ui(ui, cx, (title, key, count), whole);
+        let title = title.to_owned();
+        let words = Hint::StillNeeds { title, count }.to_string();
+        go_bar_ui(ui, cx, (&words, key, "Enter"), whole);
         return;
     }
     let main = strip
@@ -38,8 +45,12 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
         .iter()
         .filter(|cell| cell.title != main.title && matches!(cell.value, Value::Number { .. }));
     let right = whole.with_min_x(whole.left() + theme::BAR_ANSWER_WIDTH + 2.0 * theme::STEP);
-    for (index, (cell, line)) in others.zip(lines(right, right.center().y)).enumerate() {
-        bar_row_ui(ui, cell, line, index);
+    let rows: Vec<(&Cell, Rect)> = others.zip(lines(right, right.center().y)).collect();
+    // Where one has no room for it, none has its σ: it would pass for exact beside the other.
+    let has_room = rows.iter().all(|(cell, line)| bar_row(ui, cell, &cell.value, *line).fits(*line));
+    for (index, (cell, line)) in rows.into_iter().enumerate() {
+        let value = if has_room { cell.value.clone() } else { cell.value.without_sigma() };
+        bar_row(ui, cell, &value, line).ui(ui, line, index);
     }
 }
 
@@ -67,15 +78,29 @@ fn next_missing(cells: &[Cell]) -> Option<(&str, Key, usize)> {
     lacking.min_by_key(|(_, _, count)| *count)
 }
 
-fn missing_bar_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (title, key, count): (&str, Key, usize), whole: Rect) {
+/// The field that an answer is refused for, and what is said of it, where no answer is left.
+fn next_refused(cells: &[Cell]) -> Option<(String, Key)> {
+    if cells.iter().any(|cell| matches!(cell.value, Value::Number { .. })) {
+        return None;
+    }
+    let refusals = cells.iter().flat_map(|cell| &cell.lines).filter(|line| line.is_refusal);
+    let field = |line: &Line| {
+        line.parts.iter().find_map(|part| match part {
+            Part::Field(key, _) => Some(*key),
+            Part::Text(_) => None,
+        })
+    };
+    refusals.filter_map(|line| Some((line.text(), field(line)?))).next()
+}
+
+/// What keeps the answer away, the field that it is about, and a button that goes there.
+fn go_bar_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (words, key, verb): (&str, Key, &str), whole: Rect) {
     let palette = theme::palette(ui);
     let [upper, lower] = lines(whole, whole.top() + theme::BAR_TITLE_HEIGHT);
-    let words = Hint::StillNeeds {
-        title: title.to_owned(),
-        count,
-    }
-    .to_string();
-    line_ui(ui, "title", upper).label(egui::RichText::new(words).size(theme::SMALL_SIZE).color(palette.blue));
+    let color = if verb == "Fix" { palette.red } else { palette.blue };
+    let format = TextFormat::simple(theme::regular(theme::SMALL_SIZE), color);
+    let said = line_ui(ui, "title", upper).label(symbols::job(palette, words, &format, false));
+    symbols::say(ui, &said, words);
     let format = TextFormat::simple(theme::strong(theme::SENTENCE_SIZE), palette.text);
     let mut job = LayoutJob::default();
     job.append(key.label, 0.0, format.clone());
@@ -88,11 +113,11 @@ fn missing_bar_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (title, key, count): (&s
     ui.scope_builder(UiBuilder::new().id_salt("end").max_rect(whole).layout(end), |ui| {
         let format = TextFormat::simple(theme::strong(theme::BODY_SIZE), palette.on_blue);
         let mut job = LayoutJob::default();
-        job.append("Enter ", 0.0, format.clone());
+        job.append(&format!("{verb} "), 0.0, format.clone());
         symbols::append(&mut job, if key.shows_symbol() { key.symbol } else { key.label }, &format);
         let button = egui::Button::new(job).fill(palette.blue).stroke(Stroke::NONE);
         let response = ui.add(button.min_size(vec2(theme::BAR_BUTTON_WIDTH, cx.layout.control_height())));
-        if response.accessible_name(format!("Enter {}", key.name)).clicked() {
+        if response.accessible_name(format!("{verb} {}", key.name)).clicked() {
             cx.commands.push(Command::GoTo(key));
         }
     });
@@ -121,26 +146,34 @@ fn bar_answer_ui(ui: &mut Ui, cell: &Cell, whole: Rect) {
     }
 }
 
-/// One of the other answers in its `line`: its name, and at the end its number.
-fn bar_row_ui(ui: &mut Ui, cell: &Cell, line: Rect, index: usize) {
+/// One of the other answers: its name, and at the end of its line its number.
+struct BarRow {
+    name: Arc<Galley>,
+    number: Arc<Galley>,
+}
+
+fn bar_row(ui: &Ui, cell: &Cell, value: &Value, line: Rect) -> BarRow {
     let palette = theme::palette(ui);
     let [_, color] = colors(palette, cell.tone);
     let name = LayoutJob::simple_singleline(cell.title.clone(), theme::regular(theme::SMALL_SIZE), color);
-    let name = ui.painter().layout_job(name);
-    let number = |value: &Value| ui.painter().layout_job(value_job(palette, value, theme::SMALL_SIZE, line.width()));
-    // Where there is no room for both, the number stands without its σ, which is in the strip.
-    let rest = line.width() - name.size().x - theme::STEP;
-    let whole = number(&cell.value);
-    let number = if whole.size().x <= rest {
-        whole
-    } else {
-        number(&cell.value.without_sigma())
-    };
-    let left = line.with_max_x(line.right() - number.size().x - theme::STEP);
-    line_ui(ui, ("name", index), left).add(Label::new(name));
-    let place = UiBuilder::new()
-        .id_salt(("number", index))
-        .max_rect(line)
-        .layout(Layout::right_to_left(Align::Center));
-    ui.new_child(place).label(number);
+    BarRow {
+        name: ui.painter().layout_job(name),
+        number: ui.painter().layout_job(value_job(palette, value, theme::SMALL_SIZE, line.width())),
+    }
+}
+
+impl BarRow {
+    fn fits(&self, line: Rect) -> bool {
+        self.name.size().x + theme::STEP + self.number.size().x <= line.width()
+    }
+
+    fn ui(self, ui: &mut Ui, line: Rect, index: usize) {
+        let left = line.with_max_x(line.right() - self.number.size().x - theme::STEP);
+        line_ui(ui, ("name", index), left).add(Label::new(self.name));
+        let place = UiBuilder::new()
+            .id_salt(("number", index))
+            .max_rect(line)
+            .layout(Layout::right_to_left(Align::Center));
+        ui.new_child(place).label(self.number);
+    }
 }

@@ -47,7 +47,7 @@ impl Card {
             Self::Simulation(Method::Stereo) => "Stereo, simulated",
             Self::Simulation(Method::Monocular) => "Monocular, simulated",
             Self::Bars => "Stereo against monocular",
-            Self::Gains => "What it gains to know one exactly",
+            Self::Gains => "If one input were exact",
             Self::Curve => "Distance against disparity",
             Self::InverseCurve => "Disparity against distance",
             Self::TopView | Self::Floor => "Top view",

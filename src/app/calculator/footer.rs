@@ -90,9 +90,6 @@ fn links_ui(ui: &mut Ui, cx: &mut AppContext<'_>, mode: Mode) {
     let full = ui.available_width();
     let layout = egui::Layout::left_to_right(egui::Align::Center);
     let is_stacked = full < theme::BUTTON_ROW_WIDTH || cx.layout.is_narrow();
-    if mode.is_of_distance() && is_stacked {
-        ui.allocate_ui_with_layout(vec2(full, height), layout, |ui| refine_ui(ui, cx, height));
-    }
     ui.allocate_ui_with_layout(vec2(full, height), layout, |ui| {
         ui.spacing_mut().item_spacing.x = 3.0 * theme::STEP;
         if mode.is_of_distance() && !is_stacked {
@@ -136,6 +133,10 @@ fn links_ui(ui: &mut Ui, cx: &mut AppContext<'_>, mode: Mode) {
             }
         }
     });
+    // What it opens follows right below it.
+    if mode.is_of_distance() && is_stacked {
+        ui.allocate_ui_with_layout(vec2(full, height), layout, |ui| refine_ui(ui, cx, height));
+    }
 }
 
 /// What shows or hides the refinements: one name, and whether they are shown.
@@ -155,7 +156,7 @@ fn refine_ui(ui: &mut Ui, cx: &mut AppContext<'_>, height: f32) {
     let at = mark.left_center();
     let [half, tip] = [theme::DISCLOSURE_HALF, theme::DISCLOSURE_TIP];
     let corners = if shown {
-        [vec2(0.0, -half), vec2(2.0 * half, -half), vec2(half, tip - half)]
+        [vec2(0.0, -tip / 2.0), vec2(2.0 * half, -tip / 2.0), vec2(half, tip / 2.0)]
             .map(|corner| at + corner)
             .to_vec()
     } else {

@@ -186,7 +186,10 @@ const fn groups(mode: Mode) -> &'static [Group] {
                 &[fields::FLOOR_COLUMN, fields::FLOOR_ROW, fields::TARGET_HEIGHT, fields::FLOOR_ANGLE],
             ),
         ],
-        Mode::TwoShots => &[("The same object, twice", &[fields::FAR_WIDTH, fields::NEAR_WIDTH, fields::STEP])],
+        Mode::TwoShots => &[
+            ("The same object, twice", &[fields::FAR_WIDTH, fields::NEAR_WIDTH, fields::STEP]),
+            ("For the width of the object", &[fields::FOCAL_LENGTH]),
+        ],
         Mode::TwoPoints => &[
             ("Cameras", &[fields::FOCAL_LENGTH, fields::BASELINE, fields::CX, fields::CY]),
             ("First point", &[fields::FROM_COLUMN, fields::FROM_ROW, fields::FROM_DISPARITY]),

@@ -19,7 +19,7 @@ pub fn is_shown(cx: &AppContext<'_>) -> bool {
 }
 
 /// The picture of what the letters mean, that of the field in use marked; in a card at least `height` high.
-pub fn letters_ui(ui: &mut Ui, height: f32) {
+pub fn letters_ui(ui: &mut Ui, height: f32, has_doffs: bool) {
     let is_narrow = ui.available_width() < theme::DESCRIBED_TABLE_WIDTH;
     let frame = Frame {
         title: Card::Letters.title(),
@@ -31,11 +31,11 @@ pub fn letters_ui(ui: &mut Ui, height: f32) {
         let used = Key::form().find(|&key| focused == Some(field::id(key))).map(|key| key.symbol);
         let room = vec2(ui.available_width(), cards::figure_height(height));
         let fonts = figure::Fonts(ui.painter());
-        let small = letters::figure(room.x, used, &fonts);
+        let small = letters::figure(room.x, used, has_doffs, &fonts);
         // Larger on a large screen, and no wider for that.
         let times = (room.y / small.height).min(theme::LETTERS_LARGEST);
         let times = if times < theme::LETTERS_LARGER { 1.0 } else { times };
-        let drawn = letters::figure(room.x / times, used, &fonts).scaled(times);
+        let drawn = letters::figure(room.x / times, used, has_doffs, &fonts).scaled(times);
         let size = vec2(room.x, drawn.height.max(room.y));
         let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
         figure::paint(ui, &drawn, rect.min);

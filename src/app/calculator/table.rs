@@ -171,17 +171,24 @@ impl View<'_> {
             tooltip: String::new(),
             said: None,
         };
-        // Over whole numbers, which end at the decimal point.
-        let before = |text: &str, point: f32| {
+        // Over the middle of the numbers.
+        let over = |text: &str, [from, to]: [f32; 2]| {
             let cell = header(text, 0.0);
             let width = ui.painter().layout_job(cell.text.clone()).size().x;
             Placed {
-                left: point - width,
+                left: f32::midpoint(from, to) - width / 2.0,
                 ..cell
             }
         };
         let [value, sigma] = self.columns.points;
-        let mut cells = vec![header("Parameter", 0.0), before("Value", value), before("± 1 σ", sigma)];
+        let values = [value - theme::WHOLE_WIDTH, value + theme::PART_WIDTH];
+        let sigmas = [sigma - theme::SIGMA_WHOLE_WIDTH, sigma + theme::PART_WIDTH];
+        let mut cells = vec![
+            header("Parameter", 0.0),
+            over("Value", values),
+            over("± 1 σ", sigmas),
+            header("Unit", self.columns.unit),
+        ];
         cells.extend(self.columns.description.map(|left| header("Description", left)));
         placed_row_ui(ui, self.pitch, cells, self.palette.line);
     }

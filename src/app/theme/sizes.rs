@@ -248,7 +248,9 @@ pub const PICTURE_MAX: f32 = 760.0;
 /// From so many times as large on the picture of the letters is drawn larger than on a desk: for less it is not worth being narrower.
 pub const LETTERS_LARGER: f32 = 1.2;
 /// How large it gets at most.
-pub const LETTERS_LARGEST: f32 = 1.4;
+pub const LETTERS_LARGEST: f32 = 1.9;
+/// The highest that a view from the side gets.
+pub const SIDE_VIEW_MAX: f32 = 540.0;
 /// Height of the table of inputs and outputs on a wide screen.
 pub const TABLE_HEIGHT: f32 = 426.0;
 /// The least and the greatest height of its rows.

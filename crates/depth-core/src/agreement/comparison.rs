@@ -18,6 +18,13 @@ impl Agreement {
     /// By how much the σ of each is multiplied where the two are [combined](super::combine): what differs by more than its σ has a
     /// larger one.
     ///
+    /// ```
+    /// use depth_core::agreement::{Agreement, Verdict};
+    ///
+    /// assert_eq!(Agreement { z: 1.8, verdict: Verdict::Agree }.widening(), 1.8);
+    /// assert_eq!(Agreement { z: 0.3, verdict: Verdict::Agree }.widening(), 1.0);
+    /// ```
+    ///
     /// Source: the Birge ratio √(χ²/(N − 1)) for N = 2, not below 1, as the Particle Data Group scales the errors of measurements that
     /// do not agree well (Review of Particle Physics, Introduction, 5.2.2).
     pub fn widening(&self) -> f64 {

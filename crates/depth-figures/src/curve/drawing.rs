@@ -230,7 +230,7 @@ impl<'a> Drawing<'a> {
         // The 0 in the corner is that of the vertical axis.
         for tick in across.iter().filter(|tick| tick.value > self.axes.x.low) {
             let (x, y) = (self.x(tick.value), plot.bottom + 14.0);
-            let width = crate::axis::width(&tick.label, self.measure) / 2.0 + 3.0;
+            let width = crate::axis::width(&tick.label, self.measure) / 2.0 + LABEL_GAP;
             if !is_covered(&self.chips, Rect::new(x - width, y - half, x + width, y + half)) {
                 let words = Words::new(tick.label.as_str(), Ink::Muted);
                 self.figure.text(Point::new(x, y), Align::Center, words, LABEL_SIZE);

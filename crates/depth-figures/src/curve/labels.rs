@@ -70,7 +70,8 @@ impl Drawing<'_> {
             self.obstacles.rect(arrow);
             room_from = arrow.right + 8.0;
         }
-        let short = format!("↑ {text}");
+        // The arrow says it already.
+        let short = if x.is_some() { text.to_owned() } else { format!("↑ {text}") };
         let long = x_text.map(|x| format!("{short}, at d = {x} px"));
         for text in long.into_iter().chain([short]) {
             let words = Words::new(text, Ink::MonocularText);

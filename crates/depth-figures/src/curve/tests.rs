@@ -125,7 +125,7 @@ fn a_monocular_distance_beyond_the_top_is_named_with_its_disparity() {
         let curve = CurveModel::new(&solved(inputs), None, Meter)
             .unwrap()
             .layout(width, 220.0, &Shown::default(), &InterWidths);
-        assert!(texts(&curve).iter().any(|text| text.starts_with("↑ monocular 14.00 m")), "{width}");
+        assert!(texts(&curve).iter().any(|text| text.starts_with("monocular 14.00 m")), "{width}");
     }
 }
 

@@ -138,7 +138,7 @@ impl Schema {
             pen.figure.line(from, to, dotted(Ink::Border));
         }
         let black = Stroke::new(Ink::Text, 1.75);
-        let top = self.y(320.0);
+        let top = self.y(312.0);
         dimension(&mut pen.figure, Point::new(focal, top), Point::new(focal, ground), black);
         let beside = Point::new(focal - 24.0, f32::midpoint(top, ground));
         pen.letter("fx", (beside, Align::Center), Ink::Text);

@@ -10,11 +10,17 @@ const SENTENCE: f32 = 13.0;
 
 impl Pen<'_> {
     /// Both formulas, side by side where there is room. Returns where they end.
-    pub(super) fn formulas(&mut self, top: f32) -> f32 {
+    pub(super) fn formulas(&mut self, top: f32, has_doffs: bool) -> f32 {
         let text = |words: Words, text: &str| words.then_strong(text, Ink::Text);
         let symbol = |words: Words, symbol: &str, ink: Ink| words.then_symbol(symbol, ink, true);
         let stereo = text(symbol(text(Words::default(), "D = "), "fx", Ink::Text), " · ");
-        let stereo = symbol(text(symbol(stereo, "b", Ink::Stereo), " / "), "d", Ink::Stereo);
+        let stereo = text(symbol(stereo, "b", Ink::Stereo), " / ");
+        let stereo = if has_doffs {
+            let sum = symbol(text(stereo, "("), "d", Ink::Stereo);
+            text(symbol(text(sum, " + "), "doffs", Ink::Stereo), ")")
+        } else {
+            symbol(stereo, "d", Ink::Stereo)
+        };
         let monocular = text(symbol(text(Words::default(), "D = "), "w_real", Ink::MonocularText), " · ");
         let monocular = symbol(text(symbol(monocular, "fx", Ink::Text), " / "), "w_img", Ink::MonocularText);
         let sentences = [

@@ -110,10 +110,11 @@ fn outline(pen: &mut Pen<'_>, rect: Rect) {
         (rect.right, rect.top),
         (rect.right, rect.bottom),
         (rect.left, rect.bottom),
+        (rect.left, rect.top),
     ];
     pen.figure.shapes.push(Shape::Path {
         points: corners.into_iter().map(|(x, y)| Point::new(x, y)).collect(),
-        is_closed: true,
+        is_closed: false,
         fill: None,
         stroke: Some(Stroke::dashed(Ink::Border, 1.0, [4.0, 3.0])),
     });

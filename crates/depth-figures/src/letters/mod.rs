@@ -20,7 +20,7 @@ const NARROW: f32 = 560.0;
 /// Everything that the letters stand for, `width` points wide and as high as it has to be; never narrower than 300.
 ///
 /// `highlighted` is the symbol of the field that has the focus, such as "fx" or "`w_img`": it has a box behind it.
-pub fn figure(width: f32, highlighted: Option<&str>, measure: &dyn Measure) -> Figure {
+pub fn figure(width: f32, highlighted: Option<&str>, has_doffs: bool, measure: &dyn Measure) -> Figure {
     let width = width.max(300.0);
     let mut pen = Pen {
         figure: Figure::new(width, 0.0),
@@ -52,7 +52,7 @@ pub fn figure(width: f32, highlighted: Option<&str>, measure: &dyn Measure) -> F
     let line = bottom + 22.0;
     pen.figure
         .line(Point::new(0.0, line), Point::new(width, line), Stroke::new(Ink::Line, 1.0));
-    let end = pen.formulas(line + 32.0);
+    let end = pen.formulas(line + 32.0, has_doffs);
     pen.figure.height = end;
     pen.figure
 }
@@ -68,7 +68,7 @@ mod tests {
     #[test]
     fn nothing_is_outside_and_no_text_is_on_another_at_any_width() {
         for width in 300_u16..1200 {
-            let figure = figure(f32::from(width), None, &InterWidths);
+            let figure = figure(f32::from(width), None, false, &InterWidths);
             let faults = faults(&figure);
             assert!(faults.is_empty(), "at {width}: {faults:#?}");
         }
@@ -77,7 +77,7 @@ mod tests {
     #[test]
     fn every_letter_is_explained_at_every_width() {
         for width in [300.0, 326.0, 437.0, 559.0, 560.0, 784.0] {
-            let texts = texts(&figure(width, None, &InterWidths));
+            let texts = texts(&figure(width, None, false, &InterWidths));
             for letter in ["fx", "b", "d", "wimg", "wreal", "D", "the answer", "Left image", "Right image"] {
                 assert!(texts.iter().any(|(text, _)| text == letter), "{letter} at {width}");
             }
@@ -87,9 +87,9 @@ mod tests {
     #[test]
     fn the_letter_of_the_field_with_the_focus_has_a_box_and_covers_nothing() {
         for width in [300.0, 326.0, 437.0, 560.0, 784.0] {
-            let plain = figure(width, None, &InterWidths);
+            let plain = figure(width, None, false, &InterWidths);
             for symbol in SYMBOLS {
-                let highlighted = figure(width, Some(symbol), &InterWidths);
+                let highlighted = figure(width, Some(symbol), false, &InterWidths);
                 let boxes: Vec<Rect> = highlighted
                     .shapes
                     .iter()

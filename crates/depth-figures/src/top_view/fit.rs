@@ -23,6 +23,8 @@ const APART: f32 = 28.0;
 const SHORTEST: [f32; 2] = [30.0, 20.0];
 /// The ellipse is drawn up to this high, half of it.
 const HIGHEST_ELLIPSE: f64 = 23.0;
+/// The same of the bracket beside it.
+const HIGHEST_BRACKET: f64 = 72.0;
 /// Smaller than this it would hide behind the ring.
 const LOWEST_ELLIPSE: f64 = 8.5;
 /// A line is not narrower than this.
@@ -104,7 +106,7 @@ impl Fit {
         let (stereo_y, monocular_y) = (model.stereo.as_ref().map(y), model.monocular.as_ref().map(y));
         let ellipse = model.stereo.as_ref().zip(stereo_y).and_then(|(sight, y)| {
             let room = [f64::from(y - plot.top), f64::from(origin.y - y), f64::from(plot.width() / 4.0)];
-            Ellipse::new(sight, per_meter, room)
+            Ellipse::new(sight, model.monocular.as_ref(), per_meter, room)
         });
         Self {
             plot,
@@ -181,15 +183,18 @@ pub(super) fn sight_label(sight: &Sight, name: &str, ink: Ink) -> Label {
 
 impl Ellipse {
     /// As large as it is, or where that is too small to be seen, a round number of times as large; `None` where there is none to draw.
-    fn new(sight: &Sight, per_meter: f64, [above, below, aside]: [f64; 3]) -> Option<Self> {
+    /// The bracket of the monocular σ beside it is as many times as large, so that both can be compared.
+    fn new(sight: &Sight, beside: Option<&Sight>, per_meter: f64, [above, below, aside]: [f64; 3]) -> Option<Self> {
         let [width, height] = [sight.across_m, sight.sigma_m].map(|sigma| sigma * per_meter);
+        let bracket = beside.map_or(0.0, |beside| beside.sigma_m * per_meter);
+        let most = beside.map_or(0.0, |beside| (0.4 * beside.depth_m * per_meter).min(HIGHEST_BRACKET));
         if !(height > 0.0 && height.is_finite()) {
             return None;
         }
         let factors = [100.0, 50.0, 20.0, 10.0, 5.0, 2.0];
         let factor = factors
             .into_iter()
-            .find(|factor| height * factor <= HIGHEST_ELLIPSE && width * factor <= aside)
+            .find(|factor| height * factor <= HIGHEST_ELLIPSE && width * factor <= aside && bracket * factor <= most)
             .unwrap_or(1.0);
         let height = height * factor;
         let is_visible = height >= LOWEST_ELLIPSE && height <= below && height <= above + 0.5 && width * factor <= aside;

@@ -20,6 +20,10 @@ pub struct Model {
     pub baseline: Option<(f64, String)>,
     /// How wide the object is as it shows to the cameras, where that is known, and how wide it is, as it is written.
     pub width: Option<(f64, String)>,
+    /// Whether the object is turned, so that less of its width shows.
+    pub is_turned: bool,
+    /// Whether the object is known to stand beside the optical axis, on which it is drawn.
+    pub is_aside: bool,
     /// Where distances are counted from, m in front of the lens.
     pub zero_m: f64,
     /// Whether it is seen from the side, as the cameras stand one above the other, or a height is measured.
@@ -82,8 +86,9 @@ impl Model {
             let meters = assessment.solution.problem.baseline?.value.m();
             Some((meters, written(assessment, fields::BASELINE, meters, source.unit)))
         });
-        let width = shown_width(&of_object.solution, is_from_side)
-            .map(|(shown_m, real_m)| (shown_m, written(of_object, fields::REAL_WIDTH, real_m, source.unit)));
+        let width = shown_width(&of_object.solution, is_from_side);
+        let is_turned = width.is_some_and(|(shown_m, real_m)| shown_m < real_m * (1.0 - 1e-6));
+        let width = width.map(|(shown_m, real_m)| (shown_m, written(of_object, fields::REAL_WIDTH, real_m, source.unit)));
         let [stereo, monocular] = [stereo, monocular].map(|found| found.map(|(_, sight)| sight));
         let deepest = [&stereo, &monocular]
             .into_iter()
@@ -98,6 +103,8 @@ impl Model {
             monocular,
             baseline,
             width,
+            is_turned,
+            is_aside: source.now.geometry.point.is_some(),
             is_from_side,
         };
         model.is_drawable().then_some(model)

@@ -115,7 +115,7 @@ fn no_text_is_on_the_ring_or_on_a_camera() {
         for width in WIDTHS {
             let view = view(&model, width);
             for point in view.ring.iter().chain(view.cameras.iter().flatten()) {
-                assert!(is_free_of_text(&view.figure, *point, 6.0), "{model:?} at {width}");
+                assert!(is_free_of_text(&view.figure, *point, 5.0), "{model:?} at {width}");
             }
         }
     }
@@ -207,7 +207,7 @@ fn the_parcel_is_the_picture_of_the_design() {
     };
     let view = TopView::new(&model, [368.0, 290.0], options, &InterWidths);
     assert_eq!(view.caption, "to scale, grid 0.5 m");
-    assert_eq!(view.note, "Ellipse: 1 σ, drawn 10 × as large. The ring can be dragged.");
+    assert_eq!(view.note, "Ellipse, bracket: 1 σ, 10 × as large. The ring can be dragged.");
     let texts: Vec<String> = texts(&view.figure).into_iter().map(|(text, _)| text).collect();
     for text in [
         "Z (m)",

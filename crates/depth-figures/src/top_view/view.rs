@@ -82,13 +82,23 @@ fn note(model: &Model, fit: &Fit, drag: Drag, width: f32, measure: &dyn Measure)
         (true, false) => sentences.push("Gray: the last valid stereo distance.".to_owned()),
         (false, true) => sentences.push("Gray: the last valid monocular distance.".to_owned()),
         (false, false) => match fit.ellipse {
-            Some(ellipse) if ellipse.factor > 1.0 => sentences.push(format!("Ellipse: 1 σ, drawn {:.0} × as large.", ellipse.factor)),
-            Some(_) => sentences.push("Ellipse: 1 σ.".to_owned()),
+            Some(ellipse) => {
+                let has_bracket = model.monocular.as_ref().is_some_and(|sight| sight.sigma_m > 0.0);
+                let what = if has_bracket { "Ellipse, bracket" } else { "Ellipse" };
+                sentences.push(if ellipse.factor > 1.0 {
+                    format!("{what}: 1 σ, drawn {:.0} × as large.", ellipse.factor)
+                } else {
+                    format!("{what}: 1 σ.")
+                });
+            }
             None if model.stereo.is_none() && model.monocular.as_ref().is_some_and(|sight| sight.sigma_m > 0.0) => {
                 sentences.push("Bracket: ± 1 σ.".to_owned());
             }
             None => {}
         },
+    }
+    if model.is_aside {
+        sentences.push("Drawn straight ahead.".to_owned());
     }
     if model.is_from_side {
         sentences.push("Seen from the side.".to_owned());

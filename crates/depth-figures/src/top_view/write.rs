@@ -65,7 +65,8 @@ impl Drawing<'_> {
         let above_ellipse = ellipse.map_or(f32::INFINITY, |(ellipse, y)| y - ellipse.radii[1] - 11.0);
         let y = (left.y - 14.0).min(above_ellipse).max(9.0);
         let words = |rest: String| Words::default().then_symbol("w_real", ink, true).then_strong(rest, ink);
-        let symbol = words(format!(" = {text}"));
+        let turned = if self.model.is_turned { ", turned" } else { "" };
+        let symbol = words(format!(" = {text}{turned}"));
         let long = words(format!(" = {text}, not to scale"));
         let choices = if span.is_broken {
             vec![long, words(", not to scale".to_owned())]
@@ -223,12 +224,13 @@ impl Drawing<'_> {
         self.model.sights().all(|other| other.depth_m >= sight.depth_m) && self.model.sights().count() > 1
     }
 
-    /// The ± 1 σ of the monocular distance, at the left of the object. Returns where its label ends.
+    /// The ± 1 σ of the monocular distance, at the left of the object, as many times as large as the ellipse. Returns where its label ends.
     fn bracket(&self, sheet: &mut Sheet<'_>) -> Option<Point> {
         let (sight, y) = (self.model.monocular.as_ref()?, self.fit.monocular_y?);
         let half = self.fit.object.map_or(RING, |span| span.half.max(RING));
         let x = self.center() - half - BRACKET;
-        let high = to_f32(sight.sigma_m * self.fit.per_meter);
+        let factor = self.fit.ellipse.map_or(1.0, |ellipse| ellipse.factor);
+        let high = to_f32(sight.sigma_m * self.fit.per_meter * factor);
         let stroke = Stroke::new(monocular_inks(sight)[0], 1.75);
         let top = (y - high).max(self.fit.plot.top);
         let bottom = (y + high).min(self.fit.ground());
@@ -246,7 +248,9 @@ impl Drawing<'_> {
         let ink = if sight.is_given { Ink::Text } else { monocular_inks(sight)[1] };
         let label = self.sight_label(sight, Method::Monocular, ink);
         let lift = |dy: f32| (Point::new(edge.x, edge.y - dy), Align::Right);
-        sheet.labels.put(&label, &[lift(0.0), lift(12.0), lift(-12.0), lift(24.0)]);
+        sheet
+            .labels
+            .put(&label, &[lift(0.0), lift(12.0), lift(-12.0), lift(24.0), lift(40.0), lift(56.0)]);
     }
 
     fn angle_label(&self, sheet: &mut Sheet<'_>) {

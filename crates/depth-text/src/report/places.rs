@@ -64,14 +64,14 @@ pub fn ways_between(points: &TwoPointsSolution) -> [(&'static str, Measured<Leng
     };
     [
         (BETWEEN_POINTS, points.distance),
+        way(["Farther away", "Nearer"], points.dz),
         way(["To the right", "To the left"], points.dx),
         way(["Down", "Up"], points.dy),
-        way(["Farther away", "Nearer"], points.dz),
     ]
 }
 
 /// What those ways are called before there are two points.
-pub const WAYS_BETWEEN: [&str; 4] = [BETWEEN_POINTS, "To the right", "Down", "Farther away"];
+pub const WAYS_BETWEEN: [&str; 4] = [BETWEEN_POINTS, "Farther away", "To the right", "Down"];
 
 /// The name of the length between two points.
 pub const BETWEEN_POINTS: &str = "Between the points";

@@ -33,7 +33,7 @@ pub enum Phrase {
     /// The focal length is in both.
     SharedFocalLength,
     /// Why the combined σ is not smaller than both.
-    Widened { times: f64 },
+    Widened { z: f64 },
     /// They hardly agree.
     OneInTwenty,
     /// Stereo over monocular.
@@ -145,7 +145,7 @@ impl Display for Phrase {
             Self::TakenToBeExact => f.write_str("Type ± to see how sure it is"),
             Self::Apart { z, of_stereo } => write!(f, "{} σ apart; stereo weighs {}", sigmas(*z), percent(*of_stereo)),
             Self::SharedFocalLength => f.write_str("The shared fx is counted once"),
-            Self::Widened { times: factor } => write!(f, "± is {} times as wide, as they differ", times(*factor)),
+            Self::Widened { z } => write!(f, "{0} σ apart, so ± is {0} times as wide", sigmas(*z)),
             Self::OneInTwenty => f.write_str("One case in twenty, if each ± is right"),
             Self::Times { ratio: None } => f.write_str("The two have nothing to do with each other"),
             Self::Times { ratio: Some(ratio) } => {
@@ -156,12 +156,12 @@ impl Display for Phrase {
                 }
             }
             Self::NeedsSigmas => f.write_str("needs ± in both"),
-            Self::HowToJudge => f.write_str("With ± it says whether that is too far"),
+            Self::HowToJudge => f.write_str("Add ± to both to see if they agree"),
             Self::OneIsMissing { missing } => write!(f, "Needs both distances; {} is missing.", missing.name().to_lowercase()),
             Self::StandsAlone { method } => write!(f, "Until then {} stands alone.", method.name().to_lowercase()),
 
             Self::AloneSoFar { method } => write!(f, "{} stands alone so far", method.name()),
-            Self::ToCheckIt { needs } => write!(f, "To check it the other one {needs}"),
+            Self::ToCheckIt { needs } => write!(f, "To check it, enter {}", needs.trim_start_matches("needs ")),
             Self::NoDistance => f.write_str("No distance"),
             Self::NoAnswer => f.write_str("No answer"),
             Self::MustBePositive { symbol, zero } => write!(f, "{}: {symbol} must be above {zero}.", Self::NoDistance),
@@ -188,7 +188,7 @@ impl Display for Phrase {
 
             Self::OneLess { disparity, distance } => write!(f, "One less, {disparity}: {distance}"),
             Self::OneMore { disparity, distance } => write!(f, "One more, {disparity}: {distance}"),
-            Self::AsOpenCvReturns => f.write_str("As StereoBM, SGBM return it"),
+            Self::AsOpenCvReturns => f.write_str("As StereoBM returns it"),
             Self::NumDisparities { number } => write!(f, "numDisparities: {number} or more"),
             Self::OnePixel => f.write_str("One pixel at this distance"),
             Self::ForOpenCv => f.write_str("For OpenCV"),
@@ -202,10 +202,7 @@ impl Display for Phrase {
             Self::ObjectSpans => f.write_str("The object spans"),
             Self::LargerIsBetter => f.write_str("The larger, the surer the distance"),
             Self::PointIs { range } => write!(f, "Range from the lens: {range}"),
-            Self::MeanIsTooFar { bias } => write!(
-                f,
-                "Averaging many such distances comes out {bias} too far: average the pixels, not the distances."
-            ),
+            Self::MeanIsTooFar { bias } => write!(f, "The mean of many such distances is {bias} too far: average the pixels instead."),
             Self::OnePixelEach => f.write_str("± is for 1 px in each width"),
             Self::DistanceAlongFloor => f.write_str("Distance along the floor"),
             Self::ChooseQuantity => f.write_str("Choose what to solve for"),

@@ -12,6 +12,7 @@ use super::{start, table};
 use crate::app::context::AppContext;
 use crate::app::theme::{self, Layout};
 use crate::app::widgets::cards;
+use crate::core::problem::Field;
 use depth_text::report::strip::Mode;
 use egui::Ui;
 
@@ -60,7 +61,8 @@ impl Pictures {
         let (layout, gap) = (cx.layout, cx.layout.gap());
         if start::is_shown(cx) {
             let rest = column_height(ui) - theme::STRIP_HEIGHT - gap;
-            start::letters_ui(ui, if layout.columns() > 1 { rest } else { 0.0 });
+            let has_doffs = !cx.session.inputs.lacks(Field::Doffs);
+            start::letters_ui(ui, if layout.columns() > 1 { rest } else { 0.0 }, has_doffs);
             return;
         }
         let rows = rows(cx.mode());
@@ -93,7 +95,8 @@ impl Pictures {
         let rest = column_height(ui) - theme::STRIP_HEIGHT - gap;
         for (index, &card) in first.iter().enumerate() {
             let height = match (first.len(), index) {
-                (1, _) => rest.clamp(lower, theme::PICTURE_MAX),
+                // A view from the side is wider than it is high.
+                (1, _) => rest.clamp(lower, theme::SIDE_VIEW_MAX),
                 (_, 0) => upper,
                 _ => (rest - upper - gap).clamp(lower, theme::PICTURE_MAX),
             };

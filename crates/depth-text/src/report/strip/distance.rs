@@ -89,13 +89,10 @@ fn of_method(shown: &Shown<'_>, method: Method) -> Cell {
         Some(value) => {
             let numbers = numbers_of(&cell, &example, method, unit);
             let is_long = numbers.text().chars().count() > LONGEST_EXAMPLE;
+            // Pixels divided by pixels.
+            let numbers = if is_long { numbers.without(" px") } else { numbers };
             [
-                // Gray says it as well.
-                if is_long {
-                    numbers
-                } else {
-                    numbers.after(&Phrase::Example.to_string())
-                },
+                numbers.after(&Phrase::Example.to_string()),
                 Line::of(format!("= {}", value.text()), &[]),
             ]
         }
@@ -240,15 +237,17 @@ fn agreeing(cell: Cell, assessment: &Assessment, value: Value) -> Cell {
         },
         Verdict::Disagree => DISAGREE,
     });
-    let apart = agreement
-        .zip(solution.weights())
-        .map(|(agreement, [of_stereo, _])| Phrase::Apart { z: agreement.z, of_stereo });
+    let apart = agreement.zip(solution.weights()).map(|(agreement, [of_stereo, _])| {
+        let z = agreement.z;
+        if agreement.widening() > NOTABLE_WIDENING {
+            Phrase::Widened { z }
+        } else {
+            Phrase::Apart { z, of_stereo }
+        }
+    });
     let shares_focal_length = solution.best().is_some_and(|best| best.has_focal_length);
-    let widened = agreement.map_or(1.0, |agreement| agreement.widening());
     let shared = if agreement.is_some_and(|agreement| agreement.verdict != Verdict::Agree) {
         Some(Phrase::OneInTwenty)
-    } else if widened > NOTABLE_WIDENING {
-        Some(Phrase::Widened { times: widened })
     } else {
         shares_focal_length.then_some(Phrase::SharedFocalLength)
     };

@@ -53,17 +53,17 @@ pub(super) fn points(shown: &Shown<'_>) -> [Cell; 3] {
     let &Shown { assessment, unit, .. } = shown;
     let results = |assessment: &Assessment| {
         let points = assessment.geometry.two_points?;
-        let [distance, right, _, away] = report::ways_between(&points).map(|(_, length)| Some(length));
+        let [distance, away, right, _] = report::ways_between(&points).map(|(_, length)| Some(length));
         Some([distance, away, right])
     };
     let titles = [
-        (BETWEEN_POINTS, "√(right² + down² + away²)"),
+        (BETWEEN_POINTS, "√(away² + right² + down²)"),
         ("Farther away", "fx · b / d_2 − fx · b / d_1"),
         ("To the right", ""),
     ];
     let mut cells = cells(shown, Section::TwoPoints, titles, results);
     if let Some(points) = &assessment.geometry.two_points {
-        let [_, across, down, away] = report::ways_between(points);
+        let [_, away, across, down] = report::ways_between(points);
         let [straight, farther, right] = &mut cells;
         for (cell, (name, _)) in [(farther, away), (&mut *right, across)] {
             cell.title = name.to_owned();
@@ -72,12 +72,25 @@ pub(super) fn points(shown: &Shown<'_>) -> [Cell; 3] {
             Line::of(format!("{}: {}", down.0, STYLE.measured(down.1, unit)), &[]),
             Line::default(),
         ];
-        let unit = STYLE.unit_of(points.distance.value, unit);
-        let number = |(_, length): (&str, Measured<Length>)| STYLE.number(Some(length.value.in_unit(unit)));
-        let sides = format!("√({}² + {}² + {}²) {}", number(across), number(down), number(away), unit.symbol());
+        let [name_away, name_across, name_down] = [away, across, down].map(|(name, _)| short_way(name));
+        straight.formula = format!("√({name_away}² + {name_across}² + {name_down}²)");
+        // As precise as their sum.
+        let number = |(_, length): (&str, Measured<Length>)| {
+            let written = STYLE.length_like(length.value, points.distance, unit);
+            written
+                .split_once(' ')
+                .map_or_else(|| written.clone(), |(number, _)| number.to_owned())
+        };
+        let of_sum = STYLE.unit_of(points.distance.value, unit).symbol();
+        let sides = format!("√({}² + {}² + {}²) {of_sum}", number(away), number(across), number(down));
         straight.lines = [Line::of(sides, &[]), Line::default()];
     }
     cells
+}
+
+/// "away" for "Farther away", "right" for "To the right".
+fn short_way(name: &str) -> String {
+    name.rsplit(' ').next().unwrap_or(name).to_lowercase()
 }
 
 /// The cells of a way of its own: its results, or what is missing for them.
