@@ -6,7 +6,7 @@
 //! events has to come through here as well, and the tests have to.
 
 use egui::accesskit::Action;
-use egui::{Context, Event, Key, Plugin, RawInput, TouchPhase, Ui};
+use egui::{Context, Event, Key, Plugin, RawInput, TouchId, TouchPhase, Ui};
 use std::collections::VecDeque;
 
 /// Hands the events to egui in batches. To be added to a context behind all plugins that add events.
@@ -14,7 +14,12 @@ use std::collections::VecDeque;
 pub struct Batches {
     /// Events for later passes, in order.
     waiting: VecDeque<Event>,
+    /// The fingers on the screen.
+    touches: Vec<TouchId>,
 }
+
+/// How long a finger rests for a menu, s: as egui has it.
+const LONG_PRESS: f64 = 0.8;
 
 impl Batches {
     /// The events for this pass, where `new` have happened since the last one.
@@ -37,6 +42,21 @@ impl Batches {
         }
         batch
     }
+
+    /// Whether a finger was on the screen before `events` or with them.
+    fn is_touched(&mut self, events: &[Event]) -> bool {
+        let mut is_touched = !self.touches.is_empty();
+        for event in events {
+            if let Event::Touch { id, phase, .. } = event {
+                is_touched = true;
+                self.touches.retain(|touch| touch != id);
+                if matches!(phase, TouchPhase::Start | TouchPhase::Move) {
+                    self.touches.push(*id);
+                }
+            }
+        }
+        is_touched
+    }
 }
 
 impl Plugin for Batches {
@@ -44,8 +64,15 @@ impl Plugin for Batches {
         "batches of events"
     }
 
-    fn input_hook(&mut self, _ctx: &Context, input: &mut RawInput) {
+    fn input_hook(&mut self, ctx: &Context, input: &mut RawInput) {
         input.events = self.next(std::mem::take(&mut input.events));
+        // A mouse clicks however long it is held: where frames are slow, its press and its release are seconds apart.
+        let longest = if self.is_touched(&input.events) {
+            LONG_PRESS
+        } else {
+            f64::INFINITY
+        };
+        ctx.options_mut(|options| options.input_options.max_click_duration = longest);
     }
 
     fn on_begin_pass(&mut self, ui: &mut Ui) {

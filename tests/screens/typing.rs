@@ -279,3 +279,24 @@ fn who_clicks_where_a_card_is_just_opening_means_the_field_below_it() {
     );
     assert_eq!((program.value(FX).as_str(), program.value(B).as_str()), ("1,000", "100"));
 }
+
+#[test]
+fn a_click_counts_however_slow_the_frames_are() {
+    let builder = egui_kittest::Harness::builder().with_size(DESKTOP).with_step_dt(3.0);
+    let mut program = Program::build(Machine::default(), builder);
+    program.type_into(FX, "700");
+    let pos = program.harness.get_by_label("Reset").rect().center();
+    program.harness.event(Event::PointerMoved(pos));
+    program.harness.step();
+    for pressed in [true, false] {
+        program.harness.event(Event::PointerButton {
+            pos,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        });
+        program.harness.step();
+    }
+    program.harness.step();
+    assert_eq!(program.value(FX), "");
+}

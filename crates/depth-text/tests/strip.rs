@@ -282,7 +282,7 @@ fn the_ground_plane_is_ahead_to_the_right_and_along() {
 fn the_further_ways_have_their_cells() {
     let shots = form(&[("far-px", "1162"), ("near-px", "1429"), ("step", "0.4191"), ("fx", "4000")]);
     let cells = texts(&strip(Mode::TwoShots, &shots, None));
-    assert!(cells[0].starts_with("From the first place | s · w_2 / (w_2 − w_1) | (2.243 ± 0.011) m | ± is for 1 px in each width | 0.4191 m · 1429 / (1429 − 1162)"), "{cells:?}");
+    assert!(cells[0].starts_with("From the first place | s · w_2 / (w_2 − w_1) | (2.243 ± 0.011) m | 0.4191 m · 1429 / (1429 − 1162) | ± is for 1 px in each width"), "{cells:?}");
     let points = form(&[
         ("fx", "452.9"),
         ("b", "75"),

@@ -86,6 +86,10 @@ fn others_ui(ui: &mut Ui, cx: &mut AppContext<'_>, others: [Command; 2], widths:
 }
 
 fn links_ui(ui: &mut Ui, cx: &mut AppContext<'_>, mode: Mode) {
+    // These have neither examples nor refinements.
+    if matches!(mode, Mode::TwoShots | Mode::TwoPoints) {
+        return;
+    }
     let height = cx.layout.inline_control_height();
     let full = ui.available_width();
     let layout = egui::Layout::left_to_right(egui::Align::Center);
@@ -99,9 +103,6 @@ fn links_ui(ui: &mut Ui, cx: &mut AppContext<'_>, mode: Mode) {
             .into_iter()
             .filter(|example| example.is_of_ground() == (mode == Mode::Ground))
             .collect();
-        if matches!(mode, Mode::TwoShots | Mode::TwoPoints) {
-            return;
-        }
         let words = if examples.len() == 1 { "Example" } else { "Examples" };
         // From the right edge; a right-to-left layout would turn the order of Tab around.
         let width_of = |words: &str| {

@@ -56,6 +56,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, marked: bool) {
     };
     let _ = heading_ui(ui, "Answer", Some(section).filter(|_| unknown != Field::FocalLength));
     answer_ui(ui, cx, unknown.into());
+    ui.add_space(2.0 * theme::STEP);
     // By which method: two give a focal length. Behind the fields in the order of the focus.
     if unknown == Field::FocalLength {
         part_ui(ui, Part::Late, |ui| method_ui(ui, cx, line));

@@ -312,7 +312,12 @@ impl Field<'_> {
         }
         joined::plus_minus_ui(ui, cell);
         // Not `Role::NumberInput`: the number keyboard of most phones has no "%".
-        let example = self.key.in_unit(self.key.sigma_example, self.length_unit());
+        // Beside a number that was typed, an example would pass for a σ that was.
+        let example = if self.entry.text.trim().is_empty() {
+            self.key.in_unit(self.key.sigma_example, self.length_unit())
+        } else {
+            NO_SIGMA.to_owned()
+        };
         let output = joined::text_ui(ui, cell, &mut self.entry.sigma, (id, &example));
         let response = output
             .response
@@ -331,6 +336,9 @@ impl Field<'_> {
         }
     }
 }
+
+/// What stands in an empty σ beside a value.
+const NO_SIGMA: &str = "none";
 
 fn select_all(ui: &Ui, id: Id, output: TextEditOutput, text: &str) {
     let mut state = output.state;

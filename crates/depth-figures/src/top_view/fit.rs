@@ -24,7 +24,7 @@ const SHORTEST: [f32; 2] = [30.0, 20.0];
 /// The ellipse is drawn up to this high, half of it.
 const HIGHEST_ELLIPSE: f64 = 23.0;
 /// The same of the bracket beside it.
-const HIGHEST_BRACKET: f64 = 72.0;
+const HIGHEST_BRACKET: f64 = 48.0;
 /// Smaller than this it would hide behind the ring.
 const LOWEST_ELLIPSE: f64 = 8.5;
 /// A line is not narrower than this.

@@ -207,7 +207,7 @@ fn the_parcel_is_the_picture_of_the_design() {
     };
     let view = TopView::new(&model, [368.0, 290.0], options, &InterWidths);
     assert_eq!(view.caption, "to scale, grid 0.5 m");
-    assert_eq!(view.note, "Ellipse, bracket: 1 σ, 10 × as large. The ring can be dragged.");
+    assert_eq!(view.note, "Ellipse, bracket: 1 σ, 5 × as large. The ring can be dragged.");
     let texts: Vec<String> = texts(&view.figure).into_iter().map(|(text, _)| text).collect();
     for text in [
         "Z (m)",

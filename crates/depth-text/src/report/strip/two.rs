@@ -33,7 +33,7 @@ pub(super) fn shots(shown: &Shown<'_>) -> [Cell; 3] {
         if matches!(cell.value, Value::Number { .. }) {
             let line = numbers(&cell.formula, &SHOTS, assessment, unit, &[]).unwrap_or_default();
             // Pixels divided by pixels.
-            cell.lines = [Line::default(), line.without(" px")];
+            cell.lines = [line.without(" px"), Line::default()];
         }
     }
     if assessment.geometry.two_shots.is_some() && size.value == Value::Nothing {
@@ -43,8 +43,8 @@ pub(super) fn shots(shown: &Shown<'_>) -> [Cell; 3] {
         let [far, ..] = &mut cells;
         far.remarks = report::shots_remarks(assessment, shots).into_iter().map(sentence).collect();
         let one_pixel = shots.is_one_pixel_each.then(|| Line::of(Phrase::OnePixelEach, &[]));
-        let [first, _] = &mut far.lines;
-        *first = one_pixel.unwrap_or_default();
+        let [_, second] = &mut far.lines;
+        *second = one_pixel.unwrap_or_default();
     }
     cells
 }
