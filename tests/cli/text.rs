@@ -48,7 +48,7 @@ fn the_text_says_what_is_needed_and_no_more() {
     let (offset, _) = text("calculate --fx 700 --baseline 100 --disparity 90 --doffs -40");
     assert_eq!(offset[1], "  D = fx · b / (d + doffs) = 700 px · 100 mm / (90 px - 40 px)");
     let (poor, _) = text("calculate --fx 700 --baseline 100 --disparity 1 --sigma-disparity 1");
-    assert!(poor.iter().any(|line| line.contains("worse than 10 %")), "{poor:?}");
+    assert!(poor.iter().any(|line| line.contains("more than 10 %")), "{poor:?}");
     assert!(
         poor.contains(&"  1 σ interval: 35 m or more, without an upper bound".to_owned()),
         "{poor:?}"

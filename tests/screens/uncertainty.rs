@@ -91,7 +91,7 @@ fn where_first_order_fails_a_simulation_stands_beside_it() {
     program.type_into(D, "1");
     type_sigma(&mut program, D, "0.8");
     program.harness.run_steps(30);
-    assert!(program.says("known to worse than 10 %"));
+    assert!(program.says("uncertain by more than 10 %"));
     assert!(program.says("100\u{a0}000 draws"), "{}", program.text());
     // About one draw in nine has no positive disparity.
     assert!(program.says("11 %") && program.says("27…∞ m"), "{}", program.text());

@@ -195,7 +195,7 @@ fn what_was_remarked_before_still_is() {
         remarks(&tilted, 1)
     );
     let poor = form(&[("fx", "700"), ("b", "100"), ("d", "50 ± 20")]);
-    assert!(remarks(&poor, 0).contains("± σ is a poor description"), "{}", remarks(&poor, 0));
+    assert!(remarks(&poor, 0).contains("± σ describes this poorly"), "{}", remarks(&poor, 0));
     let lens = form(&[("fx", "4000"), ("fx-lens", "16"), ("b", "20"), ("d", "400")]);
     assert!(remarks(&lens, 0).contains("16.00 mm of the lens"), "{}", remarks(&lens, 0));
     let mil = form(&[("wimg", "0.75 mil"), ("wreal", "10 in")]);

@@ -21,7 +21,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let numbers = strip.cells.iter().filter(|cell| matches!(cell.value, Value::Number { .. })).count();
     // Each line has its place, whatever else is in the bar.
     let (whole, _) = ui.allocate_exact_size(vec2(ui.available_width(), theme::BAR_HEIGHT), Sense::hover());
-    if let Some((words, key)) = next_refused(&strip.cells) {
+    if let Some((words, key)) = next_refused(&strip.cells, headline) {
         go_bar_ui(ui, cx, (&words, key, "Fix"), whole);
         return;
     }
@@ -78,9 +78,10 @@ fn next_missing(cells: &[Cell]) -> Option<(&str, Key, usize)> {
     lacking.min_by_key(|(_, _, count)| *count)
 }
 
-/// The field that an answer is refused for, and what is said of it, where no answer is left.
-fn next_refused(cells: &[Cell]) -> Option<(String, Key)> {
-    if cells.iter().any(|cell| matches!(cell.value, Value::Number { .. })) {
+/// The field that an answer is refused for, and what is said of it, where no answer is left, or that at `headline` is one of before.
+fn next_refused(cells: &[Cell], headline: usize) -> Option<(String, Key)> {
+    let is_of_before = matches!(cells.get(headline), Some(Cell { value: Value::Was(_), .. }));
+    if !is_of_before && cells.iter().any(|cell| matches!(cell.value, Value::Number { .. })) {
         return None;
     }
     let refusals = cells.iter().flat_map(|cell| &cell.lines).filter(|line| line.is_refusal);

@@ -65,9 +65,11 @@ pub const NOTE_MARK_RADIUS: f32 = 5.5;
 /// See [`NOTE_MARK_WIDTH`].
 pub const NOTE_MARK_SIZE: f32 = 9.0;
 /// The corner of the card of a note that points at its field.
-pub const NOTE_TAIL: f32 = 7.0;
-/// From the right edge of that card to that corner, where the line above it rarely has words.
-pub const NOTE_TAIL_INSET: f32 = 97.0;
+pub const NOTE_TAIL: f32 = 5.0;
+/// Where that corner points, as a part of the width of the field: into its number.
+pub const NOTE_TAIL_AT: f32 = 0.33;
+/// The same from the right edge, where its σ is meant.
+pub const NOTE_TAIL_INSET: f32 = 40.0;
 /// The narrowest a menu is.
 pub const MENU_WIDTH: f32 = 132.0;
 /// Height of a control for a finger.

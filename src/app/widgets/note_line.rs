@@ -4,7 +4,7 @@
 use super::{symbols, text};
 use crate::app::command::Command;
 use crate::app::theme;
-use depth_text::note::{Fix, Note, Severity};
+use depth_text::note::{Fix, Note, Part, Severity};
 use egui::{
     Align, Area, Button, Color32, Galley, Id, Label, Layout, Order, Rect, Response, RichText, Sense, Shape, Stroke, Ui, UiBuilder, Vec2,
     vec2,
@@ -95,6 +95,7 @@ impl NoteLine<'_> {
             },
             fixes: if inline.is_some() { Vec::new() } else { self.fixes() },
             color: text::note_color(ui, first.severity),
+            is_of_sigma: first.part == Part::Sigma,
             field: self.field,
             line: self.line,
         };
@@ -170,6 +171,8 @@ struct Card<'a> {
     fixes: Vec<(&'a Note, &'a Fix)>,
     /// The color of its border.
     color: Color32,
+    /// Whether it is about the σ.
+    is_of_sigma: bool,
     /// The field that it is about, and the line below that.
     field: Rect,
     line: Rect,
@@ -285,7 +288,13 @@ impl Card<'_> {
     fn tail_ui(&self, ui: &Ui, card: Rect, border: Stroke) {
         let is_below = card.top() >= self.line.center().y;
         let (edge, up) = if is_below { (card.top(), -1.0) } else { (card.bottom(), 1.0) };
-        let tip = egui::pos2(card.right() - theme::NOTE_TAIL_INSET, edge + up * theme::NOTE_TAIL);
+        // Below the number that is wrong, or its σ.
+        let at = if self.is_of_sigma {
+            card.right() - theme::NOTE_TAIL_INSET
+        } else {
+            self.field.left() + theme::NOTE_TAIL_AT * self.field.width()
+        };
+        let tip = egui::pos2(at, edge + up * theme::NOTE_TAIL);
         let feet = [-theme::NOTE_TAIL, theme::NOTE_TAIL].map(|x| egui::pos2(tip.x + x, edge - up * border.width));
         let surface = theme::palette(ui).surface;
         let [left, right] = feet;

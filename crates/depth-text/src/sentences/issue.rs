@@ -34,7 +34,12 @@ impl Display for Issue {
                 quoted(text),
                 with_minus(reading)
             ),
-            Self::TwoReadings { text, many, few } => write!(f, "{} could mean {} or {}. Which one is it?", quoted(text), with_minus(many), with_minus(few)),
+            Self::TwoReadings { text, many, few } => {
+                // A field that takes no minus has corrections without it.
+                let is_without = text.starts_with(['-', '−']) && !many.starts_with(['-', '−']);
+                let without = if is_without { ", without the minus" } else { "" };
+                write!(f, "{} could mean {} or {}. Which one is it{without}?", quoted(text), with_minus(many), with_minus(few))
+            }
             Self::LengthForPixels { key, text, unit } => write!(
                 f,
                 "{} is a length, but {} is counted in pixels. {}",

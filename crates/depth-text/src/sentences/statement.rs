@@ -279,10 +279,10 @@ impl Display for Statement {
                 both(object)
             ),
             Self::FirstOrderIsPoor { has_simulation: true } => f.write_str(
-                "What is measured in the image is known to worse than 10 %: ± σ is a poor description here, the interval and the simulation are right.",
+                "What is measured in the image is uncertain by more than 10 %: ± σ describes this poorly, the interval and the simulation do not.",
             ),
             Self::FirstOrderIsPoor { has_simulation: false } => {
-                f.write_str("What is measured in the image is known to worse than 10 %: plus or minus σ is a poor description here, the interval is right.")
+                f.write_str("What is measured in the image is uncertain by more than 10 %: plus or minus σ describes this poorly, the interval does not.")
             }
         }
     }

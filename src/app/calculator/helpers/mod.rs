@@ -26,7 +26,7 @@ const fn title(helper: Helper) -> &'static str {
     match helper {
         Helper::FocalLength => "Where does the focal length come from?",
         Helper::Baseline => "How do the cameras stand to the line of sight?",
-        Helper::Disparity => "What is known of the disparity?",
+        Helper::Disparity => "Where does the disparity come from?",
     }
 }
 
