@@ -128,7 +128,8 @@ impl Program {
             .map(|(id, _)| *id)
             .collect();
         let named = |node: &Node| node.label() == Some(name) || node.labelled_by().iter().any(|label| labels.contains(label));
-        self.nodes.iter().find(|(_, node)| node.role() == Role::NumberInput && named(node))
+        let is_field = |node: &Node| matches!(node.role(), Role::NumberInput | Role::TextInput);
+        self.nodes.iter().find(|(_, node)| is_field(node) && named(node))
     }
 
     fn disparity(&self) -> (NodeId, Option<String>) {
