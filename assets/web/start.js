@@ -20,9 +20,8 @@ function ranLong() {
   return first !== undefined && performance.now() - first.startTime > LONG_MS;
 }
 
-/** Shows a failure in place of everything else. The first one is the cause; later ones are its consequences. */
+/** Shows a failure in place of everything else. */
 function show(failure) {
-  if (!element('fatal').hidden) return;
   element('fatal-what').textContent = failure.message;
   element('fatal-todo').textContent = failure.todo;
   element('fatal-detail').textContent = failure.detail;
@@ -138,7 +137,7 @@ async function start() {
     await run({ module_or_path: response });
   } catch (error) {
     if (!progress.arrived) throw progress.failed(error);
-    throw new Failure('The program arrived, but this browser could not start it.', CURRENT_BROWSER, String(error));
+    throw new Failure('The program arrived, but this browser could not start it.', CURRENT_BROWSER, String(error), isTrap(error));
   }
 }
 
@@ -147,7 +146,8 @@ const RESTARTED = 'depth-calculator/restarted';
 
 /**
  * Starts again, once in a tab, a program that has hardly begun: a compiler of WebKitGTK 2.50 makes one start in 200 of it read beside
- * its memory, and nobody has entered anything yet that is not stored. Returns whether it does.
+ * its memory, which ends in a trap or, where it reads a length there, in a panic. Nobody has entered anything yet that is not stored.
+ * Returns whether it does.
  */
 function startsAgain() {
   if (ranLong() || ifAllowed(() => sessionStorage.getItem(RESTARTED) !== null) !== false) return false;
@@ -158,11 +158,22 @@ function startsAgain() {
   });
 }
 
-/** Traps that no panic announces: memory or stack exhausted. A panic has already been shown by the program. */
+let isOver = false;
+
+/** The program has stopped: the page starts it again, or shows why. The first failure is the cause; later ones are its consequences. */
+function stop(failure) {
+  if (isOver) return;
+  isOver = true;
+  if (!failure.isOfProgram || !startsAgain()) show(failure);
+}
+
+/** What ends a program without a panic: memory or stack exhausted, or memory that is not there. */
+const isTrap = (error) => typeof WebAssembly === 'object' && (error instanceof WebAssembly.RuntimeError || error instanceof RangeError);
+
+/** A panic ends in a trap too, but has already been told by the program. */
 function onUncaught(error) {
-  if (typeof WebAssembly !== 'object' || !(error instanceof WebAssembly.RuntimeError || error instanceof RangeError)) return;
-  if (!element('fatal').hidden || startsAgain()) return;
-  show(new Failure('The program has stopped because of an error in it.', 'Reload the page to go on.', `${error}\n${error.stack}`, true));
+  if (!isTrap(error)) return;
+  stop(new Failure('The program has stopped because of an error in it.', 'Reload the page to go on.', `${error}\n${error.stack}`, true));
 }
 
 /** Takes the text that a storage has under this key. */
@@ -209,7 +220,7 @@ function followKeyboard() {
 }
 
 // The program itself says why it has stopped (src/platform/web/page.rs).
-addEventListener('program-failed', ({ detail: [what, todo, detail] }) => show(new Failure(what, todo, detail, true)));
+addEventListener('program-failed', ({ detail: [what, todo, detail] }) => stop(new Failure(what, todo, detail, true)));
 addEventListener('error', (event) => onUncaught(event.error));
 addEventListener('unhandledrejection', (event) => onUncaught(event.reason));
 element('reload').addEventListener('click', () => location.reload());
@@ -217,7 +228,7 @@ element('afresh').addEventListener('click', startAfresh);
 globalThis.visualViewport?.addEventListener('resize', followKeyboard);
 globalThis.visualViewport?.addEventListener('scroll', followKeyboard);
 element('app').addEventListener('webglcontextlost', () => {
-  show(
+  stop(
     new Failure(
       'The browser took the graphics away from this page, as some do when memory is short or a device sleeps.',
       'Reload the page to go on.',
@@ -226,5 +237,5 @@ element('app').addEventListener('webglcontextlost', () => {
 });
 
 start().catch((error) => {
-  show(error instanceof Failure ? error : new Failure('The program could not be started.', CURRENT_BROWSER, String(error)));
+  stop(error instanceof Failure ? error : new Failure('The program could not be started.', CURRENT_BROWSER, String(error)));
 });

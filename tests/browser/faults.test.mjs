@@ -44,6 +44,7 @@ it('lost graphics lose nothing that was entered', async (test) => {
 
 /** Tells the program that its window is none: eframe counts on one to ask for the time, and panics. */
 async function panic(page) {
+  await page.startsNoMore();
   const tab = await page.element('Learn', 'tab');
   await page.run('Object.defineProperty(Window, Symbol.hasInstance, { value: () => false }); arguments[0].click()', tab);
 }
@@ -247,9 +248,7 @@ it('what is typed in the moment in which the page is reloaded comes back', async
   const page = await bench.page(test);
   await page.start();
   const typeAndReload = async (field, text) => {
-    await page.run(`document.body.dataset.is = 'old'; ${TYPE_AND} location.reload()`, field, text);
-    await until('the next document', () => page.run("return document.body?.dataset.is !== 'old'"));
-    await page.started();
+    await page.renew(`${TYPE_AND} location.reload()`, field, text);
   };
   await typeAndReload(await page.field(FX), '700');
   assert.equal(await page.value(FX), '700');

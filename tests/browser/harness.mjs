@@ -29,7 +29,13 @@ export function unless(ability) {
  */
 async function isFaultOfCompiler(error) {
   if (!engine.breaksPrograms) return false;
-  return /Out of bounds memory access/.test(error.message) || (await current.page?.wasStartedAgain()) === true;
+  return /Out of bounds memory access|capacity overflow/.test(error.message) || (await wasStartedAgain());
+}
+
+/** Whether the program stopped on the page of this test, which did not mean it to. */
+async function wasStartedAgain() {
+  const { page } = current;
+  return page !== undefined && !page.mayStartAgain && (await page.wasStartedAgain());
 }
 
 /**
@@ -49,6 +55,7 @@ export function it(name, ...rest) {
   test(name, { skip: needs.map(unless).find(Boolean) ?? false }, async (context) => {
     try {
       await run(context);
+      if (!engine.breaksPrograms && (await wasStartedAgain())) throw new Error('The program stopped, and the page started it again.');
     } catch (error) {
       if (!(await isFaultOfCompiler(error))) throw error;
       console.log(`Again, as the engine’s compiler has broken the program: ${name}\n${error.stack}`);

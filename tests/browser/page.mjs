@@ -7,6 +7,8 @@ import { startEngine } from './engines/index.mjs';
 import { EMPTY, startServer } from './server.mjs';
 
 export const STORAGE_KEY = 'depth-calculator/v1';
+/** Where a tab remembers that the page has started the program again (assets/web/start.js). */
+const RESTARTED = 'depth-calculator/restarted';
 const MIRROR = '#accessible-mirror';
 const SELECTORS = {
   button: 'button, [role=button]',
@@ -126,9 +128,24 @@ export class Page {
     });
   }
 
-  /** Whether the page has started the program again, because it trapped (assets/web/start.js). */
+  /** Runs a script that ends in a new document, and waits until the program has drawn its first frame there. */
+  async renew(script, ...values) {
+    await this.run(`document.documentElement.dataset.is = 'old'; ${script}`, ...values);
+    // While one document goes and the other comes, a browser answers with an error, or with nothing at all.
+    const which = () => this.run("return document.documentElement?.dataset.is ?? 'new'").catch(() => 'none');
+    await until('the next document', async () => (await which()) === 'new');
+    await this.started();
+  }
+
+  /** Whether the page has started the program again, because it stopped soon after its start (assets/web/start.js). */
   wasStartedAgain() {
-    return this.run("return sessionStorage.getItem('depth-calculator/restarted') !== null").catch(() => false);
+    return this.run('return sessionStorage.getItem(arguments[0]) !== null', RESTARTED).catch(() => false);
+  }
+
+  /** From now on the page says why the program stops, as if it had started it again before. */
+  async startsNoMore() {
+    this.mayStartAgain = true;
+    await this.run("sessionStorage.setItem(arguments[0], '')", RESTARTED);
   }
 
   /** Milliseconds from the navigation to the first frame, `null` before it. */

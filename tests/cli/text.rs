@@ -25,7 +25,7 @@ fn the_text_says_what_is_needed_and_no_more() {
         lines,
         [
             "(1.400 ± 0.015) m (combined, the shared focal length accounted for)",
-            "  Stereo and monocular agree within their uncertainties (0.0 σ apart).",
+            "  Stereo and monocular agree within their uncertainties (0 σ apart).",
             "(1.400 ± 0.016) m (stereo)",
             "  D = fx · b / d = 700 px · 100 mm / 50 px",
             "  1 σ interval: 1.384 to 1.416 m",

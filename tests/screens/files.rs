@@ -158,6 +158,17 @@ fn the_report_has_the_answer_its_pictures_the_table_and_a_link() {
 }
 
 #[test]
+fn the_report_of_the_ground_plane_has_all_pictures_of_the_screen() {
+    let report = report(|program| {
+        program.press("Ground plane");
+        program.press("Camera on a mast (ground plane)");
+    });
+    for title in ["Side view", "In the image", "Top view"] {
+        assert!(report.contains(&format!("<title>{title}</title>")), "{title} is not in {report}");
+    }
+}
+
+#[test]
 fn with_nothing_typed_the_report_is_the_form_and_says_what_is_missing() {
     let report = report(|_| {});
     assert!(report.contains("Focal length"), "{report}");

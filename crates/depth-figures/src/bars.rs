@@ -11,6 +11,7 @@ use depth_core::problem::{Method, Origin, Solution};
 use depth_core::quantity::{Length, LengthUnit};
 use depth_text::names::Named as _;
 use depth_text::number::Notation;
+use depth_text::sentences::sigmas;
 use depth_text::style::Style;
 use depth_text::unit::Unit;
 
@@ -56,7 +57,7 @@ pub(crate) struct RowModel {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Gap {
     pub between: [f64; 2],
-    /// "10 times as far, 61 σ apart", and shorter.
+    /// "10 times as far, over 10 σ apart", and shorter.
     pub texts: Vec<String>,
 }
 
@@ -281,10 +282,7 @@ fn gap(solution: &Solution, unit: LengthUnit) -> Option<Gap> {
             format!("{} times as far", short(ratio))
         }
     });
-    let apart = comparison.agreement.map(|agreement| match agreement.z {
-        z if z > 999.0 => "over 999 σ apart".to_owned(),
-        z => format!("{} σ apart", short(z)),
-    });
+    let apart = comparison.agreement.map(|agreement| format!("{} σ apart", sigmas(agreement.z)));
     let texts = match (times, apart) {
         (Some(times), Some(apart)) => vec![format!("{times}, {apart}"), apart, times],
         (times, apart) => times.into_iter().chain(apart).collect(),

@@ -96,19 +96,11 @@ impl Example {
     pub fn inputs(self) -> Inputs {
         let mut inputs = Inputs::default();
         match self {
+            Self::Parcel => return inputs.with_examples(),
             Self::CoffeeMug => {
                 inputs.entry_mut(fields::FOCAL_LENGTH).text = "700".into();
                 inputs.fill(fields::BASELINE, Entry::new("10", Some(LengthUnit::Centimeter)));
                 inputs.entry_mut(fields::DISPARITY).text = "50".into();
-            }
-            // What the fields show while they are empty.
-            Self::Parcel => {
-                for section in Section::FORM {
-                    for key in section.keys().filter(|key| !key.is_optional) {
-                        inputs.entry_mut(key).text = key.example().into();
-                        inputs.set_sigma(key, key.sigma_example);
-                    }
-                }
             }
             Self::Mast => {
                 for (key, text, sigma) in [
@@ -188,6 +180,26 @@ impl Inputs {
         let solved_for = self.unknown.is_some_and(|(_, field)| key == field);
         let needed = key == fields::FY && self.needs_fy();
         !key.is_optional || !entry.is_blank() || !entry.sigma.is_empty() || solved_for || needed
+    }
+
+    /// What was typed, and in the empty fields of both distances the examples that stand there in gray, each with its σ.
+    #[must_use]
+    pub fn with_examples(&self) -> Self {
+        let mut example = Self {
+            unknown: None,
+            ..self.clone()
+        };
+        for key in Section::FORM.into_iter().flat_map(Section::keys) {
+            let is_needed = !key.is_optional || (key == fields::FY && self.needs_fy());
+            if is_needed && self.entry(key).is_blank() {
+                let key = self.worded(key);
+                *example.entry_mut(key) = Entry {
+                    sigma: key.sigma_example.to_owned(),
+                    ..Entry::new(key.example(), key.kind.length_unit())
+                };
+            }
+        }
+        example
     }
 
     /// Whether something is in a field of the point, the target or the ground plane.

@@ -59,7 +59,7 @@ fn the_answer_comes_first_and_can_be_quoted_as_it_stands() {
         [
             "Stereo: (1.400 ± 0.016) m (k = 1), D = fx·b/d, fx = (700 ± 2) px, b = (100 ± 0.5) mm, d = (50 ± 0.5) px",
             "Monocular: (1.400 ± 0.050) m (k = 1), D = w_real·fx/w_img, fx = (700 ± 2) px, w_img = (150 ± 2) px, w_real = (0.30 ± 0.01) m",
-            "Combined: (1.400 ± 0.015) m (k = 1), the shared focal length accounted for. Stereo and monocular agree within their uncertainties (0.0 σ apart).",
+            "Combined: (1.400 ± 0.015) m (k = 1), the shared focal length accounted for. Stereo and monocular agree within their uncertainties (0 σ apart).",
         ]
     );
     assert_lines(

@@ -22,7 +22,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     // Each line has its place, whatever else is in the bar.
     let (whole, _) = ui.allocate_exact_size(vec2(ui.available_width(), theme::BAR_HEIGHT), Sense::hover());
     if let Some((words, key)) = next_refused(&strip.cells, headline) {
-        go_bar_ui(ui, cx, (&words, key, "Fix"), whole);
+        go_bar_ui(ui, cx, (&words, key, NextStep::Fix), whole);
         return;
     }
     if numbers == 0
@@ -30,7 +30,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     {
         let title = title.to_owned();
         let words = Hint::StillNeeds { title, count }.to_string();
-        go_bar_ui(ui, cx, (&words, key, "Enter"), whole);
+        go_bar_ui(ui, cx, (&words, key, NextStep::Enter), whole);
         return;
     }
     let main = strip
@@ -94,11 +94,23 @@ fn next_refused(cells: &[Cell], headline: usize) -> Option<(String, Key)> {
     refusals.filter_map(|line| Some((line.text(), field(line)?))).next()
 }
 
+/// What a field is to be visited for.
+#[derive(Clone, Copy)]
+enum NextStep {
+    /// What is in it is refused.
+    Fix,
+    /// Nothing is in it yet.
+    Enter,
+}
+
 /// What keeps the answer away, the field that it is about, and a button that goes there.
-fn go_bar_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (words, key, verb): (&str, Key, &str), whole: Rect) {
+fn go_bar_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (words, key, step): (&str, Key, NextStep), whole: Rect) {
     let palette = theme::palette(ui);
+    let (verb, color) = match step {
+        NextStep::Fix => ("Fix", palette.red),
+        NextStep::Enter => ("Enter", palette.blue),
+    };
     let [upper, lower] = lines(whole, whole.top() + theme::BAR_TITLE_HEIGHT);
-    let color = if verb == "Fix" { palette.red } else { palette.blue };
     let format = TextFormat::simple(theme::regular(theme::SMALL_SIZE), color);
     let said = line_ui(ui, "title", upper).label(symbols::job(palette, words, &format, false));
     symbols::say(ui, &said, words);

@@ -29,6 +29,8 @@ pub enum Card {
     TopView,
     /// The camera, the ray and the floor from the side, and the point in the image.
     SideView,
+    /// The point in the image, a picture in the card from the side.
+    Image,
     /// The floor from above.
     Floor,
     /// The table of inputs and outputs.
@@ -52,6 +54,7 @@ impl Card {
             Self::InverseCurve => "Disparity against distance",
             Self::TopView | Self::Floor => "Top view",
             Self::SideView => "Side view",
+            Self::Image => "In the image",
             Self::Table => "Key input parameters and outputs",
         }
     }

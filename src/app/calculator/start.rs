@@ -3,13 +3,12 @@
 use super::card::Card;
 use crate::app::command::Command;
 use crate::app::context::AppContext;
-use crate::app::sentences::{Description, Hint, NoticeText};
+use crate::app::sentences::{Description, ExampleScene, Hint, NoticeText};
 use crate::app::theme;
 use crate::app::widgets::cards::{self, Frame};
 use crate::app::widgets::{field, figure, picture, text};
 use depth_figures::letters;
 use depth_text::field::Key;
-use depth_text::form::Example;
 use depth_text::report::strip::Mode;
 use egui::{Button, Sense, Ui, UiBuilder, vec2};
 
@@ -50,7 +49,8 @@ pub fn example_ui(ui: &mut Ui, cx: &mut AppContext<'_>, height: Option<f32>) {
         caption: "type to replace",
         height,
     };
-    let words = Hint::ExampleInGray.to_string();
+    let scene = ExampleScene::new(&cx.session.inputs, cx.unit());
+    let words = Hint::ExampleInGray { scene }.to_string();
     frame.ui(ui, Card::Example, |ui| {
         if height.is_none() {
             text::paragraph_ui(ui, &words);
@@ -71,7 +71,7 @@ pub fn example_ui(ui: &mut Ui, cx: &mut AppContext<'_>, height: Option<f32>) {
 fn example_button_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let size = vec2(theme::EXAMPLE_BUTTON_WIDTH, cx.layout.control_height());
     if ui.add_sized(size, Button::new("Use these numbers")).clicked() {
-        let inputs = Example::Parcel.inputs();
+        let inputs = cx.session.inputs.with_examples();
         cx.commands.push(Command::Open(Box::new(inputs), NoticeText::FilledByExample));
     }
 }

@@ -5,7 +5,7 @@ use crate::app::sentences::Description;
 use crate::core::quantity::{LengthUnit, Pixels};
 use depth_figures::bars::Bars;
 use depth_figures::curve::{CurveModel, Shown};
-use depth_figures::ground::{self, Above, SideView};
+use depth_figures::ground::{self, Above, ImageView, SideView};
 use depth_figures::sources::Solved;
 use depth_figures::top_view::{Model, Options, Source, TopView};
 use depth_figures::{InterWidths, svg};
@@ -14,7 +14,7 @@ use depth_text::report;
 use depth_text::report::strip::Mode;
 use depth_text::sentences::capital;
 
-use crate::app::theme::paper::{COLUMN, ROWS_HEIGHT, VIEW_HEIGHT};
+use crate::app::theme::paper::{COLUMN, GROUND_HEIGHT, ROWS_HEIGHT, VIEW_HEIGHT};
 
 /// A picture of the report.
 pub struct Picture {
@@ -49,7 +49,11 @@ pub fn of(mode: Mode, assessment: &Assessment, unit: LengthUnit) -> Vec<Picture>
         Mode::Quantity => [gains(assessment, unit), inverse_curve(assessment, unit), top_view(assessment, unit)],
         Mode::Ground => {
             let model = ground::Model::new(assessment, unit);
-            [model.as_ref().map(side_view), model.as_ref().map(floor), None]
+            [
+                model.as_ref().map(side_view),
+                model.as_ref().map(floor),
+                model.as_ref().and_then(image),
+            ]
         }
         Mode::TwoShots | Mode::TwoPoints => [None, None, None],
     };
@@ -122,12 +126,26 @@ fn top_view(assessment: &Assessment, unit: LengthUnit) -> Option<Picture> {
 }
 
 fn side_view(model: &ground::Model) -> Picture {
-    let drawn = SideView::new(model, [COLUMN, VIEW_HEIGHT], &InterWidths);
+    let drawn = SideView::new(model, [COLUMN, GROUND_HEIGHT], &InterWidths);
     Picture::new(Card::SideView, &drawn.figure, &drawn.caption, drawn.caption.clone())
 }
 
 fn floor(model: &ground::Model) -> Picture {
-    let drawn = Above::new(model, [COLUMN, VIEW_HEIGHT], &InterWidths);
+    let drawn = Above::new(model, [COLUMN, GROUND_HEIGHT], &InterWidths);
     let note = format!("{}. {}", drawn.caption, drawn.note);
     Picture::new(Card::Floor, &drawn.figure, &note, note.clone())
+}
+
+/// The point in the image, no higher than the pictures beside it.
+fn image(model: &ground::Model) -> Option<Picture> {
+    let of_width = |width| ImageView::new(model, width, &InterWidths);
+    let full = of_width(COLUMN)?;
+    let smaller = (GROUND_HEIGHT / full.figure.height).min(1.0);
+    let ImageView {
+        mut figure, caption, note, ..
+    } = of_width(COLUMN * smaller)?;
+    // Pictures are drawn as wide as the column: letters would become larger.
+    figure.width = COLUMN;
+    let note = format!("{caption} px. {note}");
+    Some(Picture::new(Card::Image, &figure, &Description::InImage.to_string(), note))
 }

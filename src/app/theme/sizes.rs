@@ -356,4 +356,6 @@ pub mod paper {
     pub const ROWS_HEIGHT: f32 = 172.0;
     /// … and a curve or a view: both rows of pictures and the table fit a page of Letter, with little to spare.
     pub const VIEW_HEIGHT: f32 = 165.0;
+    /// The same of the ground plane, whose table is longer.
+    pub const GROUND_HEIGHT: f32 = 136.0;
 }

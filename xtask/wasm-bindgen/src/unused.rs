@@ -59,8 +59,8 @@ const UNUSED: &[&[&str]] = &[
 
 /// The functions that are called, and whose work is not seen: they may do nothing, and answer that they changed nothing.
 const UNSEEN: &[&[&str]] = &[
-    // No font of the program has signs of the scripts whose syllables are put into another order. Where the browser has none either,
-    // each is a box, in whatever order. 16 kB.
+    // No font of the program has signs of the scripts whose syllables are put into another order, or whose letters are joined. Where the
+    // browser has none either, each is a box, in whatever order. 20 kB.
     &["8harfrust2hb", "33preprocess_text_vowel_constraints"],
     &["8harfrust2hb15ot_shaper_indic", "18initial_reordering"],
     &["8harfrust2hb15ot_shaper_indic", "16final_reordering"],
@@ -69,6 +69,15 @@ const UNSEEN: &[&[&str]] = &[
     &["8harfrust2hb13ot_shaper_use", "15setup_syllables"],
     &["8harfrust2hb15ot_shaper_khmer", "13reorder_khmer"],
     &["8harfrust2hb17ot_shaper_myanmar", "15reorder_myanmar"],
+    &["8harfrust2hb15ot_shaper_indic", "15setup_syllables"],
+    &["8harfrust2hb15ot_shaper_khmer", "15setup_syllables"],
+    &["8harfrust2hb17ot_shaper_myanmar", "15setup_syllables"],
+    &["8harfrust2hb13ot_shaper_use", "11reorder_use"],
+    &["8harfrust2hb14ot_shaper_thai", "15preprocess_text"],
+    &["8harfrust2hb16ot_shaper_arabic", "17setup_masks_inner"],
+    &["8harfrust2hb16ot_shaper_arabic", "21arabic_fallback_shape"],
+    &["8harfrust2hb16ot_shaper_arabic", "25postprocess_glyphs_arabic"],
+    &["8harfrust2hb16ot_shaper_arabic", "20reorder_marks_arabic"],
 ];
 
 /// `module` with an instruction that traps in place of what [`UNUSED`] names, and nothing in place of what [`UNSEEN`] names.

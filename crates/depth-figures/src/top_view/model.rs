@@ -18,9 +18,9 @@ pub struct Model {
     pub monocular: Option<Sight>,
     /// How far the cameras of the stereo distance are apart, and how that is written.
     pub baseline: Option<(f64, String)>,
-    /// How wide the object is as it shows to the cameras, where that is known, and how wide it is, as it is written.
+    /// How wide the object is as it shows to the cameras, where that is known, and how that is written.
     pub width: Option<(f64, String)>,
-    /// Whether the object is turned, so that less of its width shows.
+    /// Whether the object is turned, so that only w_real · cos φ of its width shows.
     pub is_turned: bool,
     /// Whether the object is known to stand beside the optical axis, on which it is drawn.
     pub is_aside: bool,
@@ -86,9 +86,16 @@ impl Model {
             let meters = assessment.solution.problem.baseline?.value.m();
             Some((meters, written(assessment, fields::BASELINE, meters, source.unit)))
         });
-        let width = shown_width(&of_object.solution, is_from_side);
-        let is_turned = width.is_some_and(|(shown_m, real_m)| shown_m < real_m * (1.0 - 1e-6));
-        let width = width.map(|(shown_m, real_m)| (shown_m, written(of_object, fields::REAL_WIDTH, real_m, source.unit)));
+        let shown = shown_width(&of_object.solution, is_from_side);
+        let is_turned = shown.is_some_and(|(shown, real)| shown.value.m() < real.m() * (1.0 - 1e-6));
+        let width = shown.map(|(shown, real)| {
+            let text = if is_turned {
+                Style::WINDOW.length_like(shown.value, shown, source.unit)
+            } else {
+                written(of_object, fields::REAL_WIDTH, real.m(), source.unit)
+            };
+            (shown.value.m(), text)
+        });
         let [stereo, monocular] = [stereo, monocular].map(|found| found.map(|(_, sight)| sight));
         let deepest = [&stereo, &monocular]
             .into_iter()
@@ -157,12 +164,12 @@ impl Sight {
     }
 }
 
-/// How wide the object shows itself to be and how wide it is, m, where that lies in the plane of the picture.
-fn shown_width(solution: &Solution, is_from_side: bool) -> Option<(f64, f64)> {
+/// How wide the object shows itself to be and how wide it is, where that lies in the plane of the picture.
+fn shown_width(solution: &Solution, is_from_side: bool) -> Option<(Measured<Length>, Length)> {
     let problem = &solution.problem;
     let is_in_plane = problem.object == Object::Ball || (problem.object == Object::Height) == is_from_side;
     let shown = problem.foreshortened_width().filter(|_| is_in_plane)?;
-    Some((shown.value.m(), problem.real_width?.value.m()))
+    Some((shown, problem.real_width?.value))
 }
 
 /// What was typed as it was typed, and what was computed in the unit of the results.

@@ -305,3 +305,14 @@ fn what_is_too_large_for_a_picture_has_none() {
     };
     assert_eq!(Model::new(source), None);
 }
+
+#[test]
+fn a_turned_object_is_named_by_what_shows_of_it() {
+    let mut inputs = parcel();
+    inputs.entry_mut(fields::TILT).text = "60".into();
+    let turned = model(&inputs);
+    assert!((turned.width.as_ref().unwrap().0 - 0.15).abs() < 1e-12);
+    let view = view(&turned, 560.0);
+    let said = texts(&view.figure);
+    assert!(said.iter().any(|(text, _)| text.contains("· cos φ = 0.1500 m")), "{said:?}");
+}

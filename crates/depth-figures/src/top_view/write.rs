@@ -65,9 +65,9 @@ impl Drawing<'_> {
         let above_ellipse = ellipse.map_or(f32::INFINITY, |(ellipse, y)| y - ellipse.radii[1] - 11.0);
         let y = (left.y - 14.0).min(above_ellipse).max(9.0);
         let words = |rest: String| Words::default().then_symbol("w_real", ink, true).then_strong(rest, ink);
-        let turned = if self.model.is_turned { ", turned" } else { "" };
-        let symbol = words(format!(" = {text}{turned}"));
-        let long = words(format!(" = {text}, not to scale"));
+        let shown = if self.model.is_turned { " · cos φ" } else { "" };
+        let symbol = words(format!("{shown} = {text}"));
+        let long = words(format!("{shown} = {text}, not to scale"));
         let choices = if span.is_broken {
             vec![long, words(", not to scale".to_owned())]
         } else {

@@ -17,4 +17,4 @@ pub use description::Description;
 pub use page::Page;
 pub use phrase::Phrase;
 pub use statement::{Pair, Statement};
-pub use words::{capital, lower, needs, percent, quoted, shares, short_name, sizes};
+pub use words::{capital, lower, needs, percent, quoted, shares, short_name, sigmas, sizes};

@@ -1,9 +1,8 @@
 //! What stands in the cells of the answer: short enough for half a column.
 
-use super::words::percent;
+use super::words::{percent, sigmas};
 use crate::names::Named as _;
 use crate::number::{Notation, plain};
-use crate::style::Style;
 use depth_core::problem::Method;
 use depth_core::quantity::LengthUnit;
 use std::fmt::{self, Display, Formatter};
@@ -208,15 +207,6 @@ impl Display for Phrase {
             Self::ChooseQuantity => f.write_str("Choose what to solve for"),
             Self::SlantIs { length } => write!(f, "Slant, from the lens: {length}"),
         }
-    }
-}
-
-/// How many σ: what is left of a difference by rounding is none.
-fn sigmas(z: f64) -> String {
-    match z {
-        ..0.05 => "0".to_owned(),
-        ..10.0 => format!("{z:.1}"),
-        _ => Style::WINDOW.readable(z, 2),
     }
 }
 

@@ -1,6 +1,6 @@
 //! What follows from the numbers: whether two distances agree, what to look at if not, and how good a description is.
 
-use super::words::{capital, percent, short_name, sizes};
+use super::words::{capital, percent, short_name, sigmas, sizes};
 use crate::assess::Assessment;
 use crate::field::Key;
 use crate::names::Named as _;
@@ -299,9 +299,7 @@ const fn both(object: Object) -> &'static str {
 
 /// " (1.6 σ apart)"
 fn apart(z: f64) -> String {
-    // What is left of a difference by rounding is none.
-    let z = if z < 10.0 { format!("{z:.1}") } else { significant(z, 2) };
-    format!(" ({z} σ apart)")
+    format!(" ({} σ apart)", sigmas(z))
 }
 
 #[cfg(test)]
@@ -310,7 +308,7 @@ mod tests {
 
     #[test]
     fn distances_that_only_rounding_tells_apart_are_not_apart() {
-        for (z, expected) in [(5e-15, "(0.0 σ apart)"), (1.56, "(1.6 σ apart)"), (12.3, "(12 σ apart)")] {
+        for (z, expected) in [(5e-15, "(0 σ apart)"), (1.56, "(1.6 σ apart)"), (12.3, "(over 10 σ apart)")] {
             let sentence = Statement::Agree {
                 z,
                 pair: Pair::StereoAndMonocular,

@@ -31,6 +31,16 @@ pub fn needs(missing: &[Key]) -> String {
     }
 }
 
+/// How many σ: what is left of a difference by rounding is none, and beyond 10 it only matters that it is beyond (computed from the
+/// logarithms, it is not what a reader computes from the two numbers).
+pub fn sigmas(z: f64) -> String {
+    match z {
+        ..0.05 => "0".to_owned(),
+        ..9.95 => format!("{z:.1}"),
+        _ => "over 10".to_owned(),
+    }
+}
+
 /// `text` between quotation marks, cut where it is too long to quote. Text that runs from right to left is isolated (UAX 9): it would
 /// turn the sentence that begins with it around.
 pub fn quoted(text: &str) -> String {

@@ -88,7 +88,7 @@ fn geometry_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, 
     );
     ui.horizontal_wrapped(|ui| {
         let height = ui.spacing().interact_size.y;
-        for unit in LengthUnit::ALL {
+        for unit in baseline_units(geometry.baseline) {
             let label = format!("{baseline} {}", unit.symbol());
             if ui.add(Button::new(label).min_size(vec2(0.0, height))).clicked() {
                 let baseline = Entry::new(plain(geometry.baseline), Some(unit));
@@ -98,6 +98,18 @@ fn geometry_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, 
         }
     });
     ui.add_space(theme::STEP);
+}
+
+/// The units in which this may be the baseline of a pair of cameras: all of them if there is none.
+fn baseline_units(baseline: f64) -> Vec<LengthUnit> {
+    const BASELINES_M: std::ops::RangeInclusive<f64> = 1e-3..=1e3;
+    let is_plausible = |unit: &LengthUnit| BASELINES_M.contains(&Length::new(baseline, *unit).m());
+    let plausible: Vec<LengthUnit> = LengthUnit::ALL.into_iter().filter(is_plausible).collect();
+    if plausible.is_empty() {
+        LengthUnit::ALL.to_vec()
+    } else {
+        plausible
+    }
 }
 
 /// The baseline in squares of the board, with the size of a square.
@@ -127,5 +139,18 @@ fn squares_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, s
         let baseline = Entry::new(format!("{} {unit}", plain(geometry.baseline)), None);
         let filled = depth_text::q_matrix::filled_in(&cx.session.inputs, geometry, baseline);
         cx.commands.push(Command::Open(Box::new(filled), NoticeText::FilledByQMatrix));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::baseline_units;
+    use crate::core::quantity::LengthUnit::{self, *};
+
+    #[test]
+    fn only_units_are_offered_in_which_two_cameras_may_stand_so_far_apart() {
+        assert_eq!(baseline_units(120.0), [Millimeter, Centimeter, Meter, Inch, Foot, Yard]);
+        assert_eq!(baseline_units(0.06), [Meter, Kilometer, Inch, Foot, Yard, Mile]);
+        assert_eq!(baseline_units(1e30), LengthUnit::ALL);
     }
 }

@@ -102,7 +102,7 @@ fn side_handle_ui(ui: &Ui, cx: &mut AppContext<'_>, (model, side): (&Model, &Sid
 fn image_words_ui(ui: &mut Ui, image: &ImageView, at: egui::Pos2) {
     let width = image.figure.width;
     let line = Rect::from_min_size(at, vec2(width, theme::IMAGE_HEADING - theme::STEP));
-    figure::line_ui(ui, line, &Words::strong("In the image", Ink::Text));
+    figure::line_ui(ui, line, &Words::strong(Card::Image.title(), Ink::Text));
     let palette = theme::palette(ui);
     let font = || theme::regular(theme::SMALL_SIZE);
     ui.painter().text(
@@ -127,7 +127,7 @@ fn image_ui(ui: &mut Ui, cx: &mut AppContext<'_>, image: &ImageView, at: egui::P
     let ui = &mut inside;
     let (rect, response) = ui.allocate_exact_size(place.size(), Sense::CLICK);
     figure::paint(ui, &image.figure, rect.min);
-    picture::describe(ui, &response, "In the image", &Description::InImage);
+    picture::describe(ui, &response, Card::Image.title(), &Description::InImage);
     let assessment = cx.session.assessment();
     let [Some(u), Some(v)] = [fields::FLOOR_COLUMN, fields::FLOOR_ROW].map(|key| assessment.reading(key).map(|reading| reading.value))
     else {

@@ -5,9 +5,7 @@ use super::line::{Line, numbers};
 use super::refusal::refused;
 use super::shown::Shown;
 use crate::assess::Assessment;
-use crate::entry::Entry;
 use crate::field::Key;
-use crate::form::Inputs;
 use crate::names::{self, Named as _};
 use crate::report::{self, Tone, budget_shares};
 use crate::sentences::{Phrase, Statement, needs};
@@ -84,7 +82,7 @@ fn of_method(shown: &Shown<'_>, method: Method) -> Cell {
             ..refused(cell, assessment, note, None)
         };
     }
-    let example = with_examples(inputs).assess();
+    let example = inputs.with_examples().assess();
     let lines = match self::value(&example, method, unit).filter(|_| !missing.is_empty()) {
         Some(value) => {
             let numbers = numbers_of(&cell, &example, method, unit);
@@ -107,20 +105,6 @@ fn of_method(shown: &Shown<'_>, method: Method) -> Cell {
         lines,
         ..cell
     }
-}
-
-/// What was typed, with the examples of the field table in the empty fields of both methods.
-pub(super) fn with_examples(inputs: &Inputs) -> Inputs {
-    let mut example = inputs.clone();
-    example.unknown = None;
-    for key in Key::form().filter(|key| !key.is_optional && inputs.entry(*key).is_blank()) {
-        let key = inputs.worded(key);
-        *example.entry_mut(key) = Entry {
-            sigma: key.sigma_example.to_owned(),
-            ..Entry::new(key.example(), key.kind.length_unit())
-        };
-    }
-    example
 }
 
 fn numbers_of(cell: &Cell, assessment: &Assessment, method: Method, unit: LengthUnit) -> Line {
@@ -205,7 +189,7 @@ fn combined(shown: &Shown<'_>) -> Cell {
             Line::of(Phrase::OneIsMissing { missing }, &[]),
             Line::of(Phrase::StandsAlone { method: there }, &[]),
         ],
-        _ => match with_examples(inputs).assess().solution.combined {
+        _ => match inputs.with_examples().assess().solution.combined {
             Some(combined) => [
                 Line::of(Value::length(combined, unit).text(), &[]).after(&Phrase::Example.to_string()),
                 Line::of(Phrase::WhatCombinedIs, &[]),
