@@ -266,7 +266,7 @@ impl<'a> Comparison<'a> {
             });
         }
         let description = node.description().filter(|words| *words != name);
-        self.expect(attribute("aria-description") == description, element, || {
+        self.expect(element.description.as_deref() == description, element, || {
             format!("should be described as {description:?}")
         });
         for (state, on) in [("aria-invalid", node.invalid().is_some()), ("aria-disabled", node.is_disabled())] {

@@ -4,7 +4,7 @@ use super::command::Command;
 use super::platform::Platform;
 use super::saved::Settings;
 use super::session::Session;
-use super::theme::Layout;
+use super::theme::{self, Layout};
 use crate::core::quantity::LengthUnit;
 
 /// What a screen or a dialog is given: `ui(&mut self, ui: &mut Ui, cx: &mut AppContext)` draws it and adds commands,
@@ -28,6 +28,11 @@ impl AppContext<'_> {
     /// What is asked for.
     pub fn mode(&self) -> Mode {
         self.settings.mode(&self.session.inputs)
+    }
+
+    /// Whether the window is so low that everything scrolls as one piece.
+    pub fn is_low(&self) -> bool {
+        theme::is_low(self.egui.content_rect().height())
     }
 
     /// The unit of the results.

@@ -1,7 +1,7 @@
 //! Dialogs: which there are, and the frame that they have in common.
 
 use super::theme::{self, Layout};
-use super::widgets::text;
+use super::widgets::{scroll, text};
 use egui::{Button, Id, Modal, ModalResponse, Ui, vec2};
 
 /// A dialog that any screen can open.
@@ -30,9 +30,17 @@ impl DialogFrame {
         let palette = theme::palette(ui);
         let modal = Modal::new(Id::unique(self.id)).frame(theme::card(palette));
         modal.show(ui.ctx(), |ui| {
-            ui.set_width((ui.ctx().content_rect().width() - theme::DIALOG_MARGINS).min(self.max_width));
-            text::heading_ui(ui, self.title, 2, theme::strong(theme::TITLE_SIZE), palette.text);
-            add_contents(ui)
+            let room = ui.ctx().content_rect().size() - egui::Vec2::splat(theme::DIALOG_MARGINS);
+            ui.set_width(room.x.min(self.max_width));
+            let contents = |ui: &mut Ui| {
+                text::heading_ui(ui, self.title, 2, theme::strong(theme::TITLE_SIZE), palette.text);
+                add_contents(ui)
+            };
+            if theme::is_low(ui.ctx().content_rect().height()) {
+                scroll::up_to_ui(ui, room.y, contents)
+            } else {
+                contents(ui)
+            }
         })
     }
 }

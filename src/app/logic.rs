@@ -33,9 +33,10 @@ impl App {
             self.handle(ctx, event);
         }
         self.go_on_with_picture(ctx);
+        self.tell_screen();
         self.calculator.logic(&mut AppContext {
             egui: ctx,
-            layout: Layout::of_width(ctx.content_rect().width()),
+            layout: Layout::of(ctx.content_rect().size()),
             session: &mut self.session,
             settings: &mut self.settings,
             platform: &*self.platform,
@@ -60,6 +61,11 @@ impl App {
                 }
             }
             Event::Link(fragment) => self.carry_out(ctx, Command::Follow(fragment)),
+            Event::Screen(name) => {
+                if let Some(screen) = Screen::ALL.into_iter().find(|screen| screen.name() == name) {
+                    self.carry_out(ctx, Command::Show(screen));
+                }
+            }
         }
     }
 
@@ -134,6 +140,15 @@ impl App {
         self.platform
             .save_file(ctx, report::FILE_NAME, FileContents::Page(self.report_page()));
         ctx.request_repaint();
+    }
+
+    /// Tells the platform which screen is shown, when that is another.
+    fn tell_screen(&mut self) {
+        let screen = self.settings.screen;
+        if self.told_screen != Some(screen) {
+            self.told_screen = Some(screen);
+            self.platform.screen_shown(screen.name(), &screen.title());
+        }
     }
 
     fn text_of(&self, what: Copyable) -> Option<String> {

@@ -69,6 +69,8 @@ pub struct App {
     pending: Vec<Command>,
     /// Whether there has been a frame.
     has_started: bool,
+    /// The screen that the platform knows of.
+    told_screen: Option<Screen>,
 }
 
 impl App {
@@ -101,6 +103,7 @@ impl App {
             chart_picture: None,
             pending: Vec::new(),
             has_started: false,
+            told_screen: None,
         };
         if let Some(cause) = unread {
             app.start_fresh(cause);
@@ -115,7 +118,7 @@ impl App {
             && self.session.inputs.is_blank()
             && self.settings.screen == Screen::Calculator
             && !self.platform.has_touch()
-            && Layout::of_width(ctx.content_rect().width()) != Layout::Phone
+            && Layout::of(ctx.content_rect().size()) != Layout::Phone
         {
             ctx.memory_mut(|memory| memory.request_focus(field::id(Field::FocalLength)));
         }

@@ -4,9 +4,9 @@
 use super::command::Command;
 use super::context::AppContext;
 use super::dialog::Dialog;
-use super::saved::Screen;
+use super::saved::{PROGRAM, Screen};
 use super::theme;
-use super::widgets::{choice, menu, text};
+use super::widgets::{choice, menu, scroll, text};
 use egui::accesskit::Role;
 use egui::containers::menu::MenuButton;
 use egui::{Align2, Button, Popup, Rect, RichText, Sense, Stroke, ThemePreference, Ui, UiBuilder, pos2, vec2};
@@ -37,9 +37,8 @@ impl Offer {
 
 /// Draws the contents of the bar.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
-    let palette = theme::palette(ui);
     ui.horizontal(|ui| {
-        text::heading_ui(ui, "Depth Calculator", 1, theme::strong(theme::TITLE_SIZE), palette.text);
+        program_ui(ui, cx.settings.screen);
         let side = cx.layout.icon_size();
         let gap = ui.spacing().item_spacing.x;
         ui.add_space(2.0 * theme::STEP - gap / 2.0);
@@ -67,6 +66,28 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
         }
         buttons_ui(ui, cx, side);
     });
+}
+
+/// The column of a screen, which scrolls: with this bar at its top where the window is low.
+pub fn column_ui<'a>(ui: &mut Ui, cx: &mut AppContext<'a>, id: &str, add_contents: impl FnOnce(&mut Ui, &mut AppContext<'a>)) {
+    scroll::column_ui(ui, id, |ui| {
+        if cx.is_low() {
+            self::ui(ui, cx);
+            ui.add_space(cx.layout.gap());
+        }
+        add_contents(ui, cx);
+    });
+}
+
+/// The name of the program: the heading of the calculator, which is said when that is shown again. Other screens have their own.
+fn program_ui(ui: &mut Ui, screen: Screen) {
+    let (font, color) = (theme::strong(theme::TITLE_SIZE), theme::palette(ui).text);
+    if screen == Screen::Calculator {
+        let heading = text::heading_ui(ui, PROGRAM, 1, font, color);
+        text::announce(ui, &heading);
+    } else {
+        ui.label(RichText::new(PROGRAM).font(font).color(color));
+    }
 }
 
 fn buttons_ui(ui: &mut Ui, cx: &mut AppContext<'_>, side: f32) {

@@ -41,6 +41,10 @@ pub trait Platform {
     /// one: where there is none, a report is a file.
     fn print(&mut self) -> bool;
 
+    /// Another screen is shown now, or the first one, which the platform may name its window after. In a browser *Back* leads to the one
+    /// before, as [`Event::Screen`] with its `name`.
+    fn screen_shown(&mut self, _name: &str, _title: &str) {}
+
     /// Whether the person points with fingers: then a field that gets the focus opens a keyboard over half the screen.
     fn has_touch(&self) -> bool {
         false
@@ -78,6 +82,8 @@ pub enum Event {
     Colors(Option<SystemColors>),
     /// A link to the program was followed: the part behind its `#`.
     Link(String),
+    /// The person went back or forward to the screen with this name.
+    Screen(String),
 }
 
 /// What a file holds that the program gives out.

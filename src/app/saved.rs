@@ -33,7 +33,18 @@ impl Screen {
             Self::Learn => "Learn",
         }
     }
+
+    /// The title of the window in which it is shown.
+    pub fn title(self) -> String {
+        match self {
+            Self::Calculator => PROGRAM.to_owned(),
+            other => format!("{} – {PROGRAM}", other.name()),
+        }
+    }
 }
+
+/// The name of the program.
+pub const PROGRAM: &str = "Depth Calculator";
 
 /// What a person chose, beside what was typed.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -49,7 +49,7 @@ fn rows() -> Vec<(String, String)> {
         of(&[Command::Redo]),
         of(&[Command::SaveReport]),
         of(&Screen::ALL.map(Command::Show)),
-        keys("Esc, then Tab", "Leave the program for the rest of the page"),
+        keys("Esc", "Close what is open: a list, a menu, a dialog"),
         of(&[Command::ShowDialog(Some(Dialog::Keys))]),
     ]
 }

@@ -20,16 +20,18 @@ impl App {
         let ctx = ui.ctx().clone();
         let cx = &mut AppContext {
             egui: &ctx,
-            layout: Layout::of_width(ctx.content_rect().width()),
+            layout: Layout::of(ctx.content_rect().size()),
             session: &mut self.session,
             settings: &mut self.settings,
             platform: &*self.platform,
             commands: &mut commands,
         };
         ui.spacing_mut().interact_size.y = cx.layout.control_height();
-        let top = Panel::top("navigation").resizable(false);
-        top.frame(bar(ui, cx.layout, theme::NAVIGATION_MARGIN))
-            .show(ui, |ui| navigation::ui(ui, cx));
+        if !cx.is_low() {
+            let top = Panel::top("navigation").resizable(false);
+            top.frame(bar(ui, cx.layout, theme::NAVIGATION_MARGIN))
+                .show(ui, |ui| navigation::ui(ui, cx));
+        }
         let bottom_bar = BottomBar::new(ui, "screen", (cx.settings.screen, cx.layout, self.notice.is_some()));
         bottom_bar.above_ui(ui, |ui| screen_ui(ui, cx, &mut self.calculator));
         bottom_bar.below_ui(ui, |ui| bottom_ui(ui, cx, self.notice.as_ref()));
@@ -91,7 +93,7 @@ fn bottom_ui(ui: &mut Ui, cx: &mut AppContext<'_>, notice: Option<&Notice>) {
     if let Some(notice) = notice {
         separated_bar_ui(ui, cx, theme::NOTICE_MARGIN, |ui, cx| notice.ui(ui, cx));
     }
-    if cx.layout == Layout::Phone && cx.settings.screen == Screen::Calculator {
+    if cx.layout == Layout::Phone && !cx.is_low() && cx.settings.screen == Screen::Calculator {
         separated_bar_ui(ui, cx, theme::BAR_RESULT_MARGIN, |ui, cx| calculator::result_bar_ui(ui, cx));
     }
 }

@@ -223,7 +223,7 @@ async function rebuilt(page) {
     await until('the focus on its tab', async () => {
       await page.run('document.activeElement.blur(); arguments[0].focus()', tab);
       await page.frames();
-      return page.run("return document.querySelector('canvas').getAttribute('aria-activedescendant') === arguments[0].id", tab);
+      return page.run('return document.activeElement === arguments[0]', tab);
     });
     return settled(page);
   };

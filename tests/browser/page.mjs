@@ -326,7 +326,10 @@ export class Page {
 
   /** Waits until the program has seen the last key and moved its focus: nobody types faster than that. */
   frames() {
-    return this.driver.executeAsyncScript('const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(() => done())))');
+    // Those of a page that rests go on when it is told to.
+    return this.driver.executeAsyncScript(
+      'const done = arguments[0]; const next = (left) => { globalThis.restFor?.(0); requestAnimationFrame(() => (left > 0 ? next(left - 1) : done())); }; next(2)',
+    );
   }
 
   /** Allows the page to be asked for the clipboard, and empties it. */

@@ -7,7 +7,7 @@ use crate::files::collect_files;
 use crate::origin::{cargo_home, nameless};
 use crate::prerequisites::{self, Needs};
 use crate::step::{command, root, run, step};
-use crate::{compress, site, tools};
+use crate::{compress, scripts, site, tools};
 
 /// Bytes on the disk, as measured with `du`.
 pub(crate) const BUILD_BYTES: u64 = 2_000_000_000;
@@ -76,6 +76,7 @@ pub(crate) fn build() -> Result<PathBuf, String> {
         run(trunk.env("PATH", &path).env_remove("NO_COLOR"))?;
         let dist = root().join("dist");
         write_program_size(&dist)?;
+        scripts::strip_comments(&dist)?;
         site::build(&dist)?;
         Ok(dist)
     })

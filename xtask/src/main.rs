@@ -8,6 +8,7 @@ mod compress;
 mod desktop;
 mod dist;
 mod files;
+mod idle;
 mod images;
 mod licenses;
 mod lighthouse;
@@ -16,6 +17,7 @@ mod package;
 mod plan;
 mod platforms;
 mod prerequisites;
+mod scripts;
 mod serve;
 mod site;
 mod size;
@@ -70,6 +72,14 @@ enum Task {
         #[command(flatten)]
         places: browsers::Places,
     },
+    /// What the page costs while nobody does anything, against its goals: processor time in Chromium on Linux
+    Idle {
+        /// For how long each page is measured
+        #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
+        seconds: u32,
+        #[command(flatten)]
+        places: browsers::Places,
+    },
     /// Write assets/licenses.txt anew, after the crates have changed
     Licenses,
 }
@@ -94,6 +104,7 @@ fn main() -> ExitCode {
         } => package::desktop(target.as_deref()),
         Task::Size => dist::checked_build(true).and_then(|dist| size::check(&dist)),
         Task::Lighthouse { runs, places } => lighthouse::audit(runs, &places),
+        Task::Idle { seconds, places } => idle::measure(seconds, &places),
         Task::Licenses => licenses::write(),
     };
     match outcome {

@@ -89,6 +89,14 @@ impl Issue {
     pub const fn is_size_of_squares(&self) -> bool {
         matches!(self, Self::SizeOfSquares { .. })
     }
+
+    /// Whether it is about a field in which nothing was typed.
+    pub const fn is_missing(&self) -> bool {
+        matches!(
+            self,
+            Self::Missing { .. } | Self::MissingFocalLength | Self::MissingMethod | Self::MissingForUnknown { .. }
+        )
+    }
 }
 
 /// A correction offered beside a note.

@@ -2,7 +2,7 @@
 
 use egui::accesskit::{Live, NodeId};
 
-use crate::element::Element;
+use crate::element::{Element, element_id};
 use crate::page::Page;
 
 /// How urgently something is to be said.
@@ -26,7 +26,7 @@ pub(crate) struct Announcement {
 /// The words of an element, behind what they are about: its description.
 pub(crate) fn said(page: &Page, element: &Element) -> String {
     let words = page.words(element.id);
-    match element.attribute("aria-description") {
+    match &element.description {
         Some(about) if !words.is_empty() => format!("{about}: {words}"),
         _ => words,
     }
@@ -43,7 +43,13 @@ pub(crate) fn announcements(old: &Page, new: &Page) -> Vec<Announcement> {
     if old.elements().is_empty() {
         return Vec::new();
     }
-    let all = new.elements().iter().filter_map(|element| {
+    // Who comes to a field hears what describes it.
+    let described = new
+        .focus()
+        .filter(|focus| old.focus() != Some(*focus))
+        .and_then(|focus| new.get(focus)?.attribute("aria-describedby"));
+    let is_heard = |element: &Element| described.is_some_and(|ids| ids.split(' ').any(|id| id == element_id(element.id)));
+    let all = new.elements().iter().filter(|element| !is_heard(element)).filter_map(|element| {
         // egui numbers most widgets by their position, so what has this number now may have been something else.
         let before = old
             .get(element.id)

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use egui::Role;
 use egui::accesskit::{Affine, Node, NodeId, Rect};
 
-use crate::element::{Element, InputMode, Lettering, Place, element_id};
+use crate::element::{Element, InputMode, Lettering, Place, about_id, element_id};
 use crate::page::{Nodes, Page};
 use crate::roles::{self, Kind, Within};
 
@@ -207,6 +207,12 @@ impl Writer<'_> {
             }
             if let Some(element) = self.page.get_mut(id) {
                 element.attributes.extend(links);
+                if element.has_about() {
+                    // What is wrong comes before what is always so.
+                    let described = element.attributes.entry("aria-describedby").or_default();
+                    let gap = if described.is_empty() { "" } else { " " };
+                    *described = format!("{described}{gap}{}", about_id(id));
+                }
                 if let Some(name) = name {
                     element.name = name;
                 }

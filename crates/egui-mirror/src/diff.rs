@@ -2,7 +2,7 @@
 
 use egui::accesskit::{NodeId, Toggled};
 
-use crate::element::{Lettering, Place};
+use crate::element::{Element, Lettering, Place};
 use crate::page::Page;
 
 /// One step, to be carried out in order.
@@ -14,6 +14,8 @@ pub(crate) enum Edit {
     Create(NodeId, &'static str),
     /// Set an attribute, or take it away.
     Attribute(NodeId, &'static str, Option<String>),
+    /// Set what the page says about the element to those who come to it, or take it away.
+    About(NodeId, Option<String>),
     /// Set the text inside the element; it has no children.
     Text(NodeId, String),
     /// Set what stands in an input.
@@ -52,6 +54,10 @@ pub(crate) fn diff(old: &Page, new: &Page) -> Vec<Edit> {
             if !element.attributes.contains_key(name) {
                 edits.push(Edit::Attribute(id, name, None));
             }
+        }
+        let about = |element: &Element| element.description.clone().filter(|_| element.has_about());
+        if before.and_then(about) != about(element) {
+            edits.push(Edit::About(id, about(element)));
         }
         if before.and_then(|before| before.text.as_ref()) != element.text.as_ref() {
             edits.push(Edit::Text(id, element.text.clone().unwrap_or_default()));

@@ -70,6 +70,8 @@ pub struct Element {
     pub name: String,
     /// All attributes but `id` and `style`.
     pub attributes: BTreeMap<&'static str, String>,
+    /// What is said of it beside its name and its value.
+    pub description: Option<String>,
     /// The text inside an element that has no children.
     pub text: Option<String>,
     /// The content of an input: a property, not an attribute.
@@ -97,7 +99,6 @@ impl Element {
         if !shape.named_by_content {
             attributes.set("aria-label", Some(name.as_str()).filter(|name| !name.is_empty()));
         }
-        attributes.set("aria-description", node.description().filter(|words| *words != name));
         attributes.set("tabindex", tab_index(shape.kind, allowed, node.is_disabled()));
         if shape.kind.is_text() {
             describe_typing(&mut attributes, node, input_mode);
@@ -113,8 +114,9 @@ impl Element {
             tag: shape.tag,
             kind: shape.kind,
             allowed,
-            name,
+            name: name.clone(),
             attributes: attributes.0,
+            description: node.description().filter(|words| *words != name).map(str::to_owned),
             text: text.filter(|text| !text.is_empty()),
             value: content(node, shape.kind),
             checked: (shape.kind == Kind::Check).then(|| node.toggled().unwrap_or(Toggled::False)),
@@ -141,6 +143,11 @@ impl Element {
         self.role().is_some_and(|role| role.contains("dialog"))
     }
 
+    /// Whether its description is for those who come to it: that of a text is for whoever hears it as news.
+    pub(crate) fn has_about(&self) -> bool {
+        self.description.is_some() && (self.attributes.contains_key("tabindex") || self.attributes.contains_key("role"))
+    }
+
     /// Can one become the other by a change of attributes? A check box that becomes a text field would keep its tick.
     #[cfg(any(test, target_arch = "wasm32"))]
     pub(crate) fn is_same_element(&self, other: &Self) -> bool {
@@ -152,6 +159,11 @@ impl Element {
 #[must_use]
 pub fn element_id(id: NodeId) -> String {
     format!("mirror-{:x}", id.0)
+}
+
+/// The `id` of the HTML element with the description of a node.
+pub(crate) fn about_id(id: NodeId) -> String {
+    format!("about-{:x}", id.0)
 }
 
 /// The node that an HTML element with this `id` stands for.

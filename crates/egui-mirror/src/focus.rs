@@ -66,6 +66,11 @@ pub(crate) fn destination(old: &Page, new: &Page, held: &Element, visited: &[Nod
     {
         return Destination::FollowEgui(id);
     }
+    // A dialog begins with its first control, each time that it opens.
+    let is_opened = new.first_stop_in_dialog().filter(|_| old.first_stop_in_dialog().is_none());
+    if let Some(id) = is_opened {
+        return Destination::LeadEgui(id);
+    }
     let mut latest_first = visited.iter().rev().copied();
     // Back to where the person was, or into the dialog that is open.
     new.successor(old, held)

@@ -2,6 +2,7 @@
 
 use egui::Modifiers;
 
+use crate::element::Element;
 use crate::roles::Kind;
 
 /// What is done with a key.
@@ -39,6 +40,15 @@ pub(crate) fn is_browsers(key: &str, modifiers: Modifiers, is_mac: bool) -> bool
         "arrowleft" | "arrowright" => modifiers.alt && !modifiers.ctrl && !modifiers.shift && !is_mac,
         _ => false,
     }
+}
+
+/// Does `key` do nothing on this element? With an arrow egui would move the focus to what lies in that direction, which is where nobody
+/// expects it but among tabs, radio buttons and the entries of a menu.
+pub(crate) fn is_idle(element: &Element, key: &str) -> bool {
+    key.starts_with("Arrow")
+        && matches!(element.kind, Kind::Button | Kind::Check)
+        && element.role().is_none()
+        && element.attribute("aria-haspopup").is_none()
 }
 
 /// Decides about `key`, in the words of `KeyboardEvent.key`. `is_shortcut`: the application wants it, whatever is focused.

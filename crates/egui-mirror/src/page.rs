@@ -85,6 +85,36 @@ impl Page {
         roots.any(|root| self.contains(root, id) && self.get(root).is_some_and(|root| root.attribute("inert").is_none()))
     }
 
+    /// Keeps what a screen reader would say of the element that has the browser's focus whenever it changes, as `old` has it: its
+    /// description as long as it has the focus, as news is said by a live region, and while it `is_typed_in` whether it is valid. Returns
+    /// whether that is not so any more.
+    #[cfg(any(test, target_arch = "wasm32"))]
+    pub(crate) fn keep_description(&mut self, old: &Self, id: NodeId, is_typed_in: bool) -> bool {
+        let (Some(before), Some(element)) = (old.get(id).cloned(), self.get_mut(id)) else {
+            return false;
+        };
+        if !element.kind.is_text() || !before.is_same_element(element) {
+            return false;
+        }
+        let kept: &[&'static str] = if is_typed_in {
+            &["aria-describedby", "aria-errormessage", "aria-invalid"]
+        } else {
+            &["aria-describedby", "aria-errormessage"]
+        };
+        let mut is_kept = false;
+        for name in kept {
+            let value = before.attributes.get(name).cloned();
+            if element.attributes.get(name) != value.as_ref() {
+                is_kept = true;
+                match value {
+                    Some(value) => _ = element.attributes.insert(name, value),
+                    None => _ = element.attributes.remove(name),
+                }
+            }
+        }
+        is_kept
+    }
+
     /// Is something open that Escape would close: a menu, a list of options, a dialog?
     #[cfg(any(test, target_arch = "wasm32"))]
     pub(crate) fn has_popup(&self) -> bool {

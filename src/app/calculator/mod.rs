@@ -23,6 +23,7 @@ pub use unknown::FIRST as FIRST_UNKNOWN;
 
 use super::command::Helper;
 use super::context::AppContext;
+use super::navigation;
 use super::saved::{Settings, Ways};
 use super::session::Session;
 use super::theme::{self, Layout};
@@ -39,6 +40,8 @@ use egui::{Align, Pos2, Rect, Ui, UiBuilder, pos2, vec2};
 pub struct Calculator {
     /// *Calculate Distance* was pressed: missing inputs are marked until something is typed.
     pub marked: bool,
+    /// How often it was pressed with nothing to mark.
+    asked: u32,
     /// The quantity that was solved for last.
     pub asked_before: Option<(Method, Field)>,
     /// The helper that is open.
@@ -79,7 +82,7 @@ impl Calculator {
     pub fn ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>) {
         let gap = cx.layout.gap();
         if cx.layout == Layout::Phone {
-            scroll::column_ui(ui, "calculator", |ui| {
+            navigation::column_ui(ui, cx, "calculator", |ui, cx| {
                 ui.spacing_mut().item_spacing.y = gap;
                 self.form_ui(ui, cx);
                 self.results_ui(ui, cx);
@@ -134,7 +137,9 @@ impl Calculator {
         let place = ui.available_rect_before_wrap();
         let row = Rect::from_min_size(place.min, vec2(place.width(), theme::STRIP_HEIGHT));
         let strip = row.with_max_x(row.left() + strip_width);
-        ui.scope_builder(UiBuilder::new().id_salt("strip").max_rect(strip), |ui| strip::ui(ui, cx));
+        ui.scope_builder(UiBuilder::new().id_salt("strip").max_rect(strip), |ui| {
+            strip::ui(ui, cx, self.asked)
+        });
         let example = row.with_min_x(strip.right() + cx.layout.gap());
         let mut beside = ui.new_child(UiBuilder::new().id_salt("example").max_rect(example));
         start::example_ui(&mut beside, cx, Some(theme::STRIP_HEIGHT));
@@ -174,7 +179,10 @@ impl Calculator {
         let first = errors.chain(missing).map(|note| note.key).min();
         match first {
             Some(key) => self.go_to(ctx, key, session, settings),
-            None => self.reveal_results(ctx),
+            None => {
+                self.asked = self.asked.wrapping_add(1);
+                self.reveal_results(ctx);
+            }
         }
     }
 
@@ -206,7 +214,7 @@ impl Calculator {
 
     /// Scrolls to the results on a phone, where the form may hide them.
     pub fn reveal_results(&mut self, ctx: &egui::Context) {
-        let is_phone = Layout::of_width(ctx.content_rect().width()) == Layout::Phone;
+        let is_phone = Layout::of(ctx.content_rect().size()) == Layout::Phone;
         self.reveal = if is_phone { Reveal::Wanted } else { Reveal::No };
     }
 
@@ -224,7 +232,7 @@ impl Calculator {
     /// The answer and its pictures.
     fn results_ui(&mut self, ui: &mut Ui, cx: &mut AppContext<'_>) {
         let top: Pos2 = ui.cursor().min;
-        strip::ui(ui, cx);
+        strip::ui(ui, cx, self.asked);
         self.pictures.ui(ui, cx);
         // On a phone they come last: they come and go.
         if cx.layout != Layout::Phone {

@@ -3,7 +3,7 @@
 use super::card::Card;
 use crate::app::command::Command;
 use crate::app::context::AppContext;
-use crate::app::sentences::{Description, ExampleScene, Hint, NoticeText};
+use crate::app::sentences::{Description, Hint, NoticeText};
 use crate::app::theme;
 use crate::app::widgets::cards::{self, Frame};
 use crate::app::widgets::{field, figure, picture, text};
@@ -49,8 +49,7 @@ pub fn example_ui(ui: &mut Ui, cx: &mut AppContext<'_>, height: Option<f32>) {
         caption: "type to replace",
         height,
     };
-    let scene = ExampleScene::new(&cx.session.inputs, cx.unit());
-    let words = Hint::ExampleInGray { scene }.to_string();
+    let words = Hint::ExampleInGray.to_string();
     frame.ui(ui, Card::Example, |ui| {
         if height.is_none() {
             text::paragraph_ui(ui, &words);

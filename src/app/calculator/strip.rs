@@ -9,11 +9,14 @@ use crate::app::widgets::{menu, symbols, text};
 use depth_text::field::Key;
 use depth_text::report::Tone;
 use depth_text::report::strip::{Badge, Cell, Line, Part, Quality, Value};
+use depth_text::sentences::lower;
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, Color32, Label, Layout, Popup, Rect, Response, Sense, Stroke, Ui, UiBuilder, accesskit::Role, pos2, vec2};
+use std::fmt::Debug;
+use std::hash::Hash;
 
-/// Draws the strip.
-pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+/// Draws the strip. Distances are said aloud when they change, and when `asked`, how often *Calculate Distance* was pressed, does.
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, asked: u32) {
     let strip = cx.strip();
     let width = ui.available_width();
     let is_row = width >= theme::STRIP_WIDTH;
@@ -47,7 +50,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
             .max_rect(rect.shrink(f32::from(theme::CARD_PADDING)));
         let mut inside = ui.new_child(builder);
         let is_headline = headline == index;
-        CellView { cell, is_headline }.ui(&mut inside, cx, index == last, &mut lit);
+        CellView { cell, is_headline, asked }.ui(&mut inside, cx, index == last, &mut lit);
     }
     symbols::light_up(ui.ctx(), lit);
 }
@@ -88,6 +91,8 @@ pub const fn badge_colors(palette: &Palette, badge: Badge) -> [Color32; 2] {
 struct CellView<'a> {
     cell: &'a Cell,
     is_headline: bool,
+    /// How often the distances were asked for.
+    asked: u32,
 }
 
 /// A line inside a cell: its middle, from the upper edge of the cell's contents.
@@ -96,7 +101,7 @@ fn line_of(ui: &Ui, middle: f32, height: f32) -> Rect {
     Rect::from_center_size(pos2(all.center().x, all.top() + middle), vec2(all.width(), height))
 }
 
-fn inside(ui: &mut Ui, id: &'static str, rect: Rect) -> Ui {
+fn inside(ui: &mut Ui, id: impl Hash + Debug, rect: Rect) -> Ui {
     let layout = Layout::left_to_right(Align::Center);
     let mut ui = ui.new_child(UiBuilder::new().id_salt(id).max_rect(rect).layout(layout));
     ui.spacing_mut().item_spacing.x = 0.0;
@@ -162,7 +167,9 @@ impl CellView<'_> {
             theme::RESULT_SIZE
         };
         let line = line_of(ui, theme::STRIP_VALUE, theme::STRIP_VALUE_HEIGHT);
-        let mut row = inside(ui, "value", line);
+        // Asked for again, a number is said again: to the page it is a new one.
+        let asked = matches!(self.cell.value, Value::Number { .. }).then_some(self.asked);
+        let mut row = inside(ui, ("value", asked), line);
         let response = match &self.cell.value {
             value @ Value::Number { .. } => {
                 let job = value_job(palette, value, size, line.width());
@@ -179,17 +186,23 @@ impl CellView<'_> {
             }
             quiet @ (Value::NeedsBoth | Value::Nothing) => {
                 let format = TextFormat::simple(theme::regular(theme::SENTENCE_SIZE), palette.muted);
-                let words = if matches!(quiet, Value::Nothing) {
-                    NONE.to_owned()
-                } else {
-                    quiet.text()
-                };
-                row.add(Label::new(symbols::job(palette, &words, &format, false)).truncate())
+                let words = quiet.text();
+                let is_nothing = matches!(quiet, Value::Nothing);
+                let drawn = if is_nothing { NONE } else { words.as_str() };
+                let response = row.add(Label::new(symbols::job(palette, drawn, &format, false)).truncate());
+                if is_nothing {
+                    symbols::say(ui, &response, NONE_IN_WORDS);
+                }
+                response
             }
         };
-        text::announce(ui, &response);
-        // What is said aloud when it changes: "Stereo: 1.400 m".
-        ui.accesskit_node_builder(response.id, |node| node.set_description(self.cell.title.as_str()));
+        // What was is no news.
+        if !matches!(self.cell.value, Value::Was(_)) {
+            text::announce(ui, &response);
+        }
+        // What is said aloud when it changes: "Stereo: 1.400 m", "Combined, agree: 1.400 m".
+        let badge = self.cell.badge.map(|badge| format!(", {}", lower(badge.text))).unwrap_or_default();
+        ui.accesskit_node_builder(response.id, |node| node.set_description(format!("{}{badge}", self.cell.title)));
         if let Value::Number { number, .. } = &self.cell.value {
             result_menu_ui(&response, number, &self.cell.value.text(), cx);
         }
@@ -364,6 +377,8 @@ fn dotted(ui: &Ui, rect: Rect, color: Color32) {
 
 /// What stands where there is no number.
 const NONE: &str = "–";
+/// The same, said aloud.
+const NONE_IN_WORDS: &str = "no distance yet";
 
 /// Whether the answer is a length, so that its unit can be chosen.
 fn has_result_unit(cx: &AppContext<'_>) -> bool {

@@ -9,7 +9,7 @@ use crate::app::widgets::{cards, symbols, text};
 use depth_text::field::Key;
 use depth_text::note::Part;
 use depth_text::number;
-use depth_text::report::{Row, Tone};
+use depth_text::report::{NONE, Row, Tone};
 use depth_text::sentences::capital;
 use egui::accesskit::Role;
 use egui::text::{LayoutJob, TextFormat};
@@ -293,7 +293,7 @@ impl View<'_> {
             role: Role::Cell,
             left,
             tooltip: String::new(),
-            said: None,
+            said: (text == NONE).then(|| "none".to_owned()),
         }
     }
 }

@@ -71,7 +71,11 @@ fn blocks_ui(ui: &mut Ui, blocks: &[Block], target_height: f32, followed: &mut O
                 if number > 0 {
                     ui.add_space(before);
                 }
-                text::heading_ui(ui, title, *level, theme::strong(size), palette.text);
+                let heading = text::heading_ui(ui, title, *level, theme::strong(size), palette.text);
+                if *level == 1 {
+                    // Whoever comes to the text hears where they are.
+                    text::announce(ui, &heading);
+                }
                 ui.add_space(theme::STEP);
             }
             Block::Paragraph(spans) => {

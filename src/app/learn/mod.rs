@@ -5,15 +5,16 @@ mod document;
 use super::command::Command;
 use super::context::AppContext;
 use super::dialog::Dialog;
+use super::navigation;
 use super::theme;
-use super::widgets::{scroll, text};
+use super::widgets::text;
 use document::DOCUMENT;
 use egui::Ui;
 
 /// Draws the screen. A link to an example adds the command to follow it.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let mut followed = None;
-    scroll::column_ui(ui, "learn", |ui| {
+    navigation::column_ui(ui, cx, "learn", |ui, cx| {
         ui.vertical_centered(|ui| {
             ui.set_max_width(ui.available_width().min(theme::TEXT_WIDTH + 2.0 * theme::GAP));
             ui.with_layout(egui::Layout::top_down(egui::Align::Min), |ui| {

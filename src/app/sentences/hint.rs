@@ -3,10 +3,10 @@
 use crate::core::angle::Angle;
 use crate::core::q_matrix::StereoGeometry;
 use crate::core::quantity::LengthUnit;
-use crate::core::setup::Object;
 use depth_text::field::Key;
 use depth_text::fields;
 use depth_text::form::Inputs;
+use depth_text::names::Named as _;
 use depth_text::number::{plain, significant};
 use depth_text::report;
 use depth_text::sentences::needs;
@@ -17,7 +17,7 @@ use std::fmt::{self, Display, Formatter};
 #[allow(missing_docs, reason = "the facts of a sentence have the names of what they are")]
 pub enum Hint {
     /// What a screen reader adds to the name and the value of a field.
-    Field { key: Key },
+    Field { key: Key, unit: Option<LengthUnit> },
     /// What a screen reader adds to the name and the value of the σ of a field.
     Sigma,
     /// How a Q matrix can be typed.
@@ -44,9 +44,8 @@ pub enum Hint {
     NoSideView,
     /// What can be done with the pictures of the ground plane.
     RingsCanBeDragged,
-    /// What stands in gray in empty fields, in words: how large the object of these methods is, how far away, and how far the cameras
-    /// are apart. `None` where the numbers are of no single scene.
-    ExampleInGray { scene: Option<ExampleScene> },
+    /// What stands in gray in empty fields.
+    ExampleInGray,
     /// The curve, while there is no pair of cameras.
     NoCurve,
     /// The curve, where a disparity is not in pixels.
@@ -78,7 +77,7 @@ pub enum Hint {
 impl Display for Hint {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Field { key } => write_field(f, *key),
+            Self::Field { key, unit } => write_field(f, *key, *unit),
             Self::QMatrixContents { geometry } => write!(
                 f,
                 "fx {} px, baseline {}, doffs {} px, principal point ({}, {}) px",
@@ -111,7 +110,7 @@ impl Display for Hint {
             Self::MatchingErrors => f.write_str("How well the matcher finds the same point, one σ:"),
             Self::NoSideView => f.write_str("The camera, its ray and the floor, once a focal length, the height, the pitch and a row are known."),
             Self::RingsCanBeDragged => f.write_str("Both rings can be dragged."),
-            Self::ExampleInGray { scene } => write_example(f, scene.as_ref()),
+            Self::ExampleInGray => write_example(f),
             Self::ObjectAhead => f.write_str("The object is drawn straight ahead of the camera, facing it."),
             Self::DepthOrRange => f.write_str("Distances here are depths, Z along the optical axis. A tape held at the lens measures the range R, which is longer than Z away from the middle of the image."),
             Self::TiltedTarget => f.write_str("A target turned away by an angle looks narrower by its cosine, so the monocular method puts it too far away. The distance is that to the plane of the target’s middle, along the optical axis."),
@@ -136,59 +135,34 @@ pub(super) fn grouped(count: u32) -> String {
     format!("{}\u{a0}{:03}", count / 1000, count % 1000)
 }
 
-/// The scene that the gray numbers are of, together with what was typed.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(missing_docs, reason = "the facts of a sentence have the names of what they are")]
-pub struct ExampleScene {
-    pub object: Object,
-    pub size: String,
-    pub distance: String,
-    pub baseline: String,
+/// What the gray numbers are of, whatever is typed beside them.
+fn write_example(f: &mut Formatter<'_>) -> fmt::Result {
+    let assessment = Inputs::default().with_examples().assess();
+    let typed = |key: Key| assessment.reading(key).map_or_else(String::new, |reading| reading.text());
+    write!(
+        f,
+        "The gray numbers are of a parcel {} wide, {} in front of two cameras that stand {} apart. Each is replaced by what you type.",
+        typed(fields::REAL_WIDTH),
+        report::length(assessment.solution.best().map(|best| best.distance.value), LengthUnit::Meter),
+        typed(fields::BASELINE),
+    )
 }
 
-impl ExampleScene {
-    /// The scene of a form in whose empty fields examples stand; `None` where stereo and monocular do not agree in it.
-    pub fn new(inputs: &Inputs, unit: LengthUnit) -> Option<Self> {
-        let example = inputs.with_examples().assess();
-        let typed = |key: Key| Some(example.reading(key)?.text());
-        Some(Self {
-            object: inputs.object,
-            size: typed(fields::REAL_WIDTH)?,
-            distance: report::length(Some(example.solution.combined?.value), unit),
-            baseline: typed(fields::BASELINE)?,
-        })
+/// The hint of the field, and its unit: the chosen one where there is a choice.
+fn write_field(f: &mut Formatter<'_>, key: Key, unit: Option<LengthUnit>) -> fmt::Result {
+    let unit = unit.map_or(spoken_unit(key.unit_symbol()), |unit| unit.name());
+    let in_unit = format!("In {unit}.");
+    let hint = if key.hint.is_empty() {
+        String::new()
+    } else {
+        format!("{}.", key.hint)
+    };
+    let is_said = unit.is_empty() || hint.to_lowercase().contains(&in_unit.to_lowercase());
+    match (hint.is_empty(), is_said) {
+        (_, true) => f.write_str(&hint),
+        (true, false) => f.write_str(&in_unit),
+        (false, false) => write!(f, "{hint} {in_unit}"),
     }
-}
-
-fn write_example(f: &mut Formatter<'_>, scene: Option<&ExampleScene>) -> fmt::Result {
-    if let Some(scene) = scene {
-        let (object, across) = match scene.object {
-            Object::Width => ("parcel", "wide"),
-            Object::Height => ("parcel", "high"),
-            Object::Ball => ("ball", "thick"),
-        };
-        let ExampleScene {
-            size, distance, baseline, ..
-        } = scene;
-        write!(
-            f,
-            "A {object} {size} {across}, {distance} in front of two cameras that stand {baseline} apart. "
-        )?;
-    }
-    f.write_str("Every gray number is replaced by what you type.")
-}
-
-/// The hint of the field, its unit, and its keys.
-fn write_field(f: &mut Formatter<'_>, key: Key) -> fmt::Result {
-    if !key.hint.is_empty() {
-        write!(f, "{}. ", key.hint)?;
-    }
-    let symbol = key.unit_symbol();
-    // The unit of a length is a control of its own.
-    if !(key.is_length() || symbol.is_empty()) {
-        write!(f, "In {}. ", spoken_unit(symbol))?;
-    }
-    f.write_str("Arrow up and down step the value.")
 }
 
 /// The word that a screen reader should say for the symbol of a unit.
@@ -205,11 +179,11 @@ fn spoken_unit(symbol: &str) -> &str {
 
 #[cfg(test)]
 mod tests {
-    use super::{ExampleScene, Hint, Inputs};
+    use super::Hint;
     use crate::app::sentences::snapshot::{assert_shown, every};
     use crate::core::angle::Angle;
     use crate::core::q_matrix::StereoGeometry;
-    use crate::core::quantity::{LengthUnit, Pixels};
+    use crate::core::quantity::Pixels;
     use depth_text::fields;
 
     #[test]
@@ -223,7 +197,7 @@ mod tests {
             swapped: false,
         };
         let mut hints = every![Hint;
-            Hint::Field { .. } => Hint::Field { key: fields::FOCAL_LENGTH },
+            Hint::Field { .. } => Hint::Field { key: fields::FOCAL_LENGTH, unit: None },
             Hint::Sigma => Hint::Sigma,
             Hint::QMatrixForms => Hint::QMatrixForms,
             Hint::QMatrixContents { .. } => Hint::QMatrixContents { geometry: geometry() },
@@ -237,7 +211,7 @@ mod tests {
             Hint::MatchingErrors => Hint::MatchingErrors,
             Hint::NoSideView => Hint::NoSideView,
             Hint::RingsCanBeDragged => Hint::RingsCanBeDragged,
-            Hint::ExampleInGray { .. } => Hint::ExampleInGray { scene: ExampleScene::new(&Inputs::default(), LengthUnit::Meter) },
+            Hint::ExampleInGray => Hint::ExampleInGray,
             Hint::NoCurve => Hint::NoCurve,
             Hint::NoPixelsForCurve => Hint::NoPixelsForCurve,
             Hint::NoTopView => Hint::NoTopView,
@@ -256,26 +230,15 @@ mod tests {
             title: "Monocular".into(),
             count: 3,
         });
-        hints.push(Hint::ExampleInGray { scene: None });
         hints.push(Hint::QMatrixCopy {
             missing: vec![fields::CX, fields::CY],
         });
         for key in [fields::BASELINE, fields::DOFFS, fields::CAMERA_PITCH, fields::PIXEL_PITCH] {
-            hints.push(Hint::Field { key });
+            hints.push(Hint::Field {
+                key,
+                unit: key.kind.length_unit(),
+            });
         }
         assert_shown("hints", &hints);
-    }
-
-    #[test]
-    fn the_example_in_words_is_of_the_numbers_that_stand_in_the_form() {
-        let distance = |key, text: &str| {
-            let mut inputs = Inputs::default();
-            inputs.entry_mut(key).text = text.to_owned();
-            ExampleScene::new(&inputs, LengthUnit::Meter).map(|scene| scene.distance)
-        };
-        assert_eq!(distance(fields::FOCAL_LENGTH, "950").as_deref(), Some("1.900 m"));
-        // 1.167 m and 1.400 m.
-        assert_eq!(distance(fields::DOFFS, "10"), None);
-        assert_eq!(distance(fields::FOCAL_LENGTH, "many"), None);
     }
 }

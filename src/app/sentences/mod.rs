@@ -13,7 +13,7 @@ mod page_failure;
 mod platform_error;
 
 pub use description::{Description, TopView};
-pub use hint::{ExampleScene, Hint};
+pub use hint::Hint;
 pub use notice::{FreshStart, NoticeText};
 #[cfg(target_arch = "wasm32")]
 pub use page_failure::PageFailure;

@@ -15,10 +15,17 @@ pub enum Layout {
     Wide,
 }
 
+/// Whether a window `height` points high is so low that bars would leave no room between them: a phone on its side with its keyboard, or
+/// a page at 400 %. There everything scrolls as one piece.
+pub fn is_low(height: f32) -> bool {
+    height < sizes::LOW_HEIGHT
+}
+
 impl Layout {
-    /// The layout for a window `width` points wide.
-    pub fn of_width(width: f32) -> Self {
-        match width {
+    /// The layout for a window of this size. A low one has no room for columns that scroll each by itself.
+    pub fn of(window: egui::Vec2) -> Self {
+        match window.x {
+            _ if is_low(window.y) => Self::Phone,
             w if w < 720.0 => Self::Phone,
             w if w < 1080.0 => Self::Tablet,
             w if w < 1600.0 => Self::Desktop,

@@ -8,7 +8,7 @@ mod style;
 mod system_colors;
 
 pub use fonts::{INTER, regular, strong};
-pub use layout::Layout;
+pub use layout::{Layout, is_low};
 pub use palette::{Palette, palette};
 pub use sizes::*;
 pub use style::{card, force, install};

@@ -195,7 +195,13 @@ impl Field<'_> {
         if ui.memory(|memory| memory.has_focus(self.id)) {
             self.take_keys(ui, commands);
         }
-        let example = self.key.in_unit(self.key.example(), self.length_unit());
+        // What is missing looks empty.
+        let is_missing = self.note(Part::Value).is_some_and(|note| note.issue.is_missing());
+        let example = if is_missing {
+            String::new()
+        } else {
+            self.key.in_unit(self.key.example(), self.length_unit())
+        };
         let output = joined::text_ui(ui, cells.value, &mut self.entry.text, (self.id, &example));
         let response = output.response.response.clone().labelled_by(label.id);
         ui.accesskit_node_builder(self.id, |node| {
@@ -204,7 +210,13 @@ impl Field<'_> {
             if !self.key.signed {
                 node.set_role(Role::NumberInput);
             }
-            node.set_description(Hint::Field { key: self.key }.to_string());
+            node.set_description(
+                Hint::Field {
+                    key: self.key,
+                    unit: self.length_unit(),
+                }
+                .to_string(),
+            );
             if let Some(reading) = self.reading {
                 node.set_numeric_value(reading.number);
             }
@@ -313,7 +325,8 @@ impl Field<'_> {
         joined::plus_minus_ui(ui, cell);
         // Not `Role::NumberInput`: the number keyboard of most phones has no "%".
         // Beside a number that was typed, an example would pass for a σ that was.
-        let example = if self.entry.text.trim().is_empty() {
+        let is_missing = self.note(Part::Value).is_some_and(|note| note.issue.is_missing());
+        let example = if self.entry.text.trim().is_empty() && !is_missing {
             self.key.in_unit(self.key.sigma_example, self.length_unit())
         } else {
             NO_SIGMA.to_owned()

@@ -18,11 +18,14 @@ pub fn column_ui(ui: &mut Ui, id: &str, add_contents: impl FnOnce(&mut Ui)) {
 }
 
 /// A scroll area at most `height` points high, which keeps the focused widget in view.
-pub fn up_to_ui(ui: &mut Ui, height: f32, add_contents: impl FnOnce(&mut Ui)) {
-    ScrollArea::vertical().max_height(height).show(ui, |ui| {
-        add_contents(ui);
+pub fn up_to_ui<R>(ui: &mut Ui, height: f32, add_contents: impl FnOnce(&mut Ui) -> R) -> R {
+    let area = ScrollArea::vertical().max_height(height);
+    area.show(ui, |ui| {
+        let contents = add_contents(ui);
         reveal_focus(ui);
-    });
+        contents
+    })
+    .inner
 }
 
 /// The focused widget and the visible height of the column in the last frame.

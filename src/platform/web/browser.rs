@@ -15,12 +15,14 @@ const STORAGE_KEY: &str = "depth-calculator/v1";
 /// Stores in the browser and copies to the clipboard.
 pub(super) struct Browser {
     inbox: Inbox,
+    /// Whether a screen has been shown since the page was loaded.
+    has_screen: bool,
 }
 
 impl Browser {
     /// The browser, whose events are read from `inbox`.
     pub(super) const fn new(inbox: Inbox) -> Self {
-        Self { inbox }
+        Self { inbox, has_screen: false }
     }
 }
 
@@ -116,6 +118,25 @@ impl Platform for Browser {
             .and_then(|window| window.location().href().ok())
             .unwrap_or_default();
         address.split('#').next().unwrap_or_default().to_owned()
+    }
+
+    fn screen_shown(&mut self, name: &str, title: &str) {
+        let window = web_sys::window();
+        if let Some(document) = window.as_ref().and_then(web_sys::Window::document) {
+            document.set_title(title);
+        }
+        if let Some(history) = window.and_then(|window| window.history().ok()) {
+            let state = history.state().ok().and_then(|state| state.as_string());
+            let is_first = !std::mem::replace(&mut self.has_screen, true);
+            let outcome = match state {
+                // The person went back or forward to it.
+                Some(state) if state == name => Ok(()),
+                _ if is_first => history.replace_state(&name.into(), ""),
+                _ => history.push_state(&name.into(), ""),
+            };
+            // Some browsers allow so many a minute; the screen is shown all the same.
+            outcome.ok();
+        }
     }
 
     fn has_touch(&self) -> bool {

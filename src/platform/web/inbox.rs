@@ -27,6 +27,7 @@ impl Inbox {
     pub(super) fn add(&self, event: Event) {
         self.events.borrow_mut().push(event);
         self.ctx.request_repaint();
+        super::rest::wake();
     }
 
     /// Takes out all events, in order.

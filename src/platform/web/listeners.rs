@@ -11,6 +11,7 @@ use crate::app::{Event, SystemColors};
 pub(super) fn listen(ctx: &egui::Context, inbox: &Inbox) {
     let Some(window) = web_sys::window() else { return };
     listen_to_links(&window, inbox);
+    listen_to_history(&window, inbox);
     listen_to_colors(&window, inbox);
     follow_reduced_motion(&window, ctx);
 }
@@ -27,6 +28,17 @@ fn listen_to_links(window: &web_sys::Window, inbox: &Inbox) {
     };
     add();
     on(window, "hashchange", move |_| add());
+}
+
+/// The person goes back or forward among the screens, which the history has by their names.
+fn listen_to_history(window: &web_sys::Window, inbox: &Inbox) {
+    let (inbox, history) = (inbox.clone(), window.history());
+    on(window, "popstate", move |_| {
+        let state = history.as_ref().ok().and_then(|history| history.state().ok()?.as_string());
+        if let Some(name) = state {
+            inbox.add(Event::Screen(name));
+        }
+    });
 }
 
 fn listen_to_colors(window: &web_sys::Window, inbox: &Inbox) {

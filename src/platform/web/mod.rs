@@ -9,6 +9,7 @@ mod leaving;
 mod listeners;
 mod page;
 mod printing;
+mod rest;
 mod touch;
 
 use std::rc::Rc;
@@ -50,6 +51,7 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
             options(),
             Box::new(move |creation| {
                 creation.egui_ctx.add_plugin(FirstFrame::default());
+                creation.egui_ctx.add_plugin(rest::Rest);
                 let (ctx, clicked) = (creation.egui_ctx.clone(), running.clone());
                 let options = egui_mirror::Options {
                     is_shortcut,
@@ -87,6 +89,8 @@ fn copy(runner: &eframe::WebRunner, ctx: &egui::Context, what: Copyable) -> bool
 
 fn options() -> eframe::WebOptions {
     eframe::WebOptions {
+        // assets/web/start.js has looked for it.
+        webgl_context_option: eframe::WebGlContextOption::WebGl2,
         // Ctrl and the wheel, a pinch on a touch pad, or two fingers on the screen zoom the page as usual.
         should_prevent_default: Box::new(|event| match event {
             egui::Event::MouseWheel { modifiers, .. } => !modifiers.ctrl,

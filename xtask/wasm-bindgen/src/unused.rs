@@ -27,6 +27,11 @@ const UNUSED: &[&[&str]] = &[
     &["6skrifa7outline8autohint5shape", "11GsubHandler14process_lookup"],
     &["6skrifa7outline8autohint5style", "13GlyphStyleMap9new_inner"],
     &["6skrifa7outline4glyf4hint8instance", "12HintInstance11reconfigure"],
+    // Nor are they drawn in the style of HarfBuzz. 4 kB.
+    &["6skrifa7outline4glyf", "14HarfBuzzScaler", "11load_simple"],
+    &["6skrifa7outline4glyf", "14HarfBuzzScaler", "4load"],
+    // The page asks for WebGL 2, and says so where there is none.
+    &["6eframe3web16web_painter_glow", "11init_webgl1"],
     // Nor does it blend anything with what is below, clip, or draw lines: the triangles of everything else are egui's. 35 kB.
     &["15vectorize_inner", "4fine4lowp7compose", "9BlendMode"],
     &["15vectorize_inner", "4fine4lowp5blend3mix"],

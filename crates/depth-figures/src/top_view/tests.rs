@@ -146,7 +146,7 @@ fn a_length_across_is_as_long_as_the_same_length_ahead_unless_the_picture_says_o
         for width in WIDTHS {
             let view = view(&model, width);
             let texts = texts(&view.figure);
-            let is_baseline_broken = texts.iter().any(|(text, _)| text.starts_with('b') && text.contains("not to scale"));
+            let is_baseline_broken = view.caption.contains("but for b");
             let is_depth_moved = texts.iter().any(|(text, _)| text == "not to scale");
             if let (Some([left, right]), Some((meters, _))) = (view.cameras, &model.baseline)
                 && !is_baseline_broken
@@ -206,7 +206,7 @@ fn the_parcel_is_the_picture_of_the_design() {
         hold: None,
     };
     let view = TopView::new(&model, [368.0, 290.0], options, &InterWidths);
-    assert_eq!(view.caption, "to scale, grid 0.5 m");
+    assert_eq!(view.caption, "to scale but for ±, grid 0.5 m");
     assert_eq!(view.note, "Ellipse, bracket: 1 σ, 5 × as large. The ring can be dragged.");
     let texts: Vec<String> = texts(&view.figure).into_iter().map(|(text, _)| text).collect();
     for text in [
@@ -228,11 +228,9 @@ fn cameras_that_cannot_be_told_apart_are_drawn_apart_and_the_picture_says_so() {
     let view = view(&model(&both("100 mm", "50", "150", "3.0 m")), 368.0);
     let [left, right] = view.cameras.unwrap();
     assert!(right.x - left.x >= 12.0);
-    assert!(
-        texts(&view.figure)
-            .iter()
-            .any(|(text, _)| text.starts_with('b') && text.ends_with("not to scale"))
-    );
+    assert!(view.caption.starts_with("to scale but for b"), "{}", view.caption);
+    let texts = texts(&view.figure);
+    assert!(texts.iter().any(|(text, _)| text.starts_with("b = 100 mm")), "{texts:?}");
 }
 
 #[test]

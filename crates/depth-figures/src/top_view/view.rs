@@ -1,7 +1,7 @@
 //! The picture with what is written beside it, and what a drag in it stands for.
 
 use super::draw::Drawing;
-use super::fit::Fit;
+use super::fit::{Fit, Span};
 use super::model::{Model, Sight};
 use super::options::{Drag, Options};
 use crate::{Figure, Measure, Point, Rect, below};
@@ -42,7 +42,7 @@ impl TopView {
         let drawing = Drawing { model, fit: &fit, measure };
         Self {
             figure: drawing.figure([width, height]),
-            caption: format!("to scale, {}", fit.grid_text(model)),
+            caption: caption(model, &fit),
             note: note(model, &fit, options.drag, width, measure),
             plot: fit.plot,
             ring: fit.stereo_y.map(|y| Point::new(center, y)),
@@ -71,6 +71,23 @@ impl TopView {
         let apart = 2.0 * f64::from((at.x - self.ground.x).abs());
         (apart > 0.0).then(|| Length::from_m(apart / drawn * self.baseline_m))
     }
+}
+
+/// "to scale but for b and ±, grid 0.5 m"
+fn caption(model: &Model, fit: &Fit) -> String {
+    let is_broken = |span: Option<Span>| span.is_some_and(|span| span.is_broken);
+    let not = [
+        (is_broken(fit.baseline), "b"),
+        (is_broken(fit.object), "w_real"),
+        (fit.ellipse.is_some_and(|ellipse| ellipse.factor > 1.0), "±"),
+    ];
+    let not: Vec<&str> = not.into_iter().filter_map(|(is_not, what)| is_not.then_some(what)).collect();
+    let but = if not.is_empty() {
+        String::new()
+    } else {
+        format!(" but for {}", not.join(", "))
+    };
+    format!("to scale{but}, {}", fit.grid_text(model))
 }
 
 /// The line below the picture.

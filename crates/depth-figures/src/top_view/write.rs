@@ -93,7 +93,7 @@ impl Drawing<'_> {
         let y = self.fit.ground() + BASELINE_DROP;
         let ends = [-1.0, 1.0].map(|side| Point::new(self.center() + side * span.half, y));
         let choices = if span.is_broken {
-            vec![format!("b = {text}, not to scale"), "b, not to scale".to_owned()]
+            vec![format!("b = {text}, not to scale"), format!("b = {text}")]
         } else {
             vec![format!("b = {text}")]
         };

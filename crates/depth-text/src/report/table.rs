@@ -3,7 +3,7 @@
 use super::{COMBINED_DISTANCE, Tone, distance_name, estimated_width_name, estimated_width_px_name};
 use crate::assess::Assessment;
 use crate::field::Key;
-use crate::fields::DISTANCE;
+use crate::fields::{DISTANCE, TARGET_HEIGHT};
 use crate::form::Inputs;
 use crate::names::{self, Named as _};
 use crate::sentences::{Description, quoted};
@@ -71,6 +71,13 @@ pub fn all_rows(inputs: &Inputs, assessment: &Assessment, unit: LengthUnit) -> V
 /// The input `key`; what cannot be read as it was typed.
 pub(super) fn typed_row(inputs: &Inputs, assessment: &Assessment, key: Key, unit: LengthUnit) -> Row {
     let row = row_of(assessment, key, unit);
+    if key == TARGET_HEIGHT && inputs.entry(key).is_blank() {
+        // What holds while nothing is typed.
+        return Row {
+            value: "0".to_owned(),
+            ..row
+        };
+    }
     let is_unreadable = row.value == NONE && !inputs.entry(key).is_blank() && !assessment.is_solved_for(key);
     if is_unreadable {
         let value = Description::Unusable(quoted(&inputs.entry(key).text)).to_string();

@@ -183,7 +183,7 @@ impl Display for Phrase {
             }
             Self::OtherSize { symbol, times } => write!(f, "Is {symbol} of an image {} times as large?", plain(*times)),
             Self::HowWellKnown { symbol } => write!(f, "How well is {symbol} known? It has no ±."),
-            Self::MeasureAgain { symbol } => write!(f, "{symbol} has the largest ±: measure it again."),
+            Self::MeasureAgain { symbol } => write!(f, "{symbol} is the least certain: measure it again."),
 
             Self::OneLess { disparity, distance } => write!(f, "One less, {disparity}: {distance}"),
             Self::OneMore { disparity, distance } => write!(f, "One more, {disparity}: {distance}"),

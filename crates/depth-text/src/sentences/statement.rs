@@ -248,7 +248,7 @@ impl Display for Statement {
                 plain(times)
             ),
             Self::NoSigma { key } => write!(f, "{} is taken to be exact. How well is it known?", capital(key.noun)),
-            Self::LargestSigma { key } => write!(f, "{} has the largest uncertainty: measure it again.", capital(key.noun)),
+            Self::LargestSigma { key } => write!(f, "{} is the least certain: measure it again.", capital(key.noun)),
             Self::WidthsAgree { is_given, object } => write!(
                 f,
                 "Computed from the {} distance, as a check: both {} agree with what you entered to within 0.1 %.",
@@ -279,7 +279,7 @@ impl Display for Statement {
                 both(object)
             ),
             Self::FirstOrderIsPoor { has_simulation: true } => f.write_str(
-                "What is measured in the image is uncertain by more than 10 %: ± σ describes this poorly, the interval and the simulation do not.",
+                "What is measured in the image is uncertain by more than 10 %: ± σ describes this poorly. Rely on the interval or the simulation.",
             ),
             Self::FirstOrderIsPoor { has_simulation: false } => {
                 f.write_str("What is measured in the image is uncertain by more than 10 %: plus or minus σ describes this poorly, the interval does not.")

@@ -117,8 +117,9 @@ fn a_picture_has_a_name_and_a_description() {
         node.set_description("Falls from 10 m to 1 m");
     });
     let page = tree.page();
-    let said = ["role", "aria-label", "aria-description"].map(|name| attribute(&page, id, name).unwrap());
-    assert_eq!(said, ["img", "Speed against time", "Falls from 10 m to 1 m"]);
+    let said = ["role", "aria-label", "aria-describedby"].map(|name| attribute(&page, id, name).unwrap());
+    assert_eq!(said, ["img", "Speed against time", "about-1"]);
+    assert_eq!(page.get(id).unwrap().description.as_deref(), Some("Falls from 10 m to 1 m"));
 }
 
 #[test]

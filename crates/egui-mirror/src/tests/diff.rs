@@ -27,6 +27,7 @@ fn a_new_value_touches_nothing_but_the_value() {
 
 #[derive(Default)]
 struct Made {
+    about: Option<String>,
     tag: &'static str,
     attributes: BTreeMap<&'static str, String>,
     text: String,
@@ -87,6 +88,7 @@ impl Browser {
             Edit::Attribute(id, name, None) => {
                 self.made.get_mut(&id).unwrap().attributes.remove(name).unwrap();
             }
+            Edit::About(id, words) => self.made.get_mut(&id).unwrap().about = words,
             Edit::Text(id, text) => {
                 let made = self.made.get_mut(&id).unwrap();
                 made.text = text;
@@ -117,6 +119,7 @@ impl Browser {
             let made = &self.made[&element.id];
             assert_eq!(made.tag, element.tag);
             assert_eq!(made.attributes, element.attributes);
+            assert_eq!(made.about, element.description.clone().filter(|_| element.has_about()));
             assert_eq!(made.text, element.text.clone().unwrap_or_default());
             assert_eq!(made.checked, element.checked);
             assert_eq!(made.place, Some(element.place));

@@ -10,7 +10,7 @@ use crate::announce::{Announcement, Urgency, said};
 use crate::page::Page;
 
 /// Polite words wait until nothing has changed for so long: a result that changes with every key is said once.
-const PAUSE_MS: i32 = 400;
+pub(crate) const PAUSE_MS: i32 = 400;
 /// Then they are removed again, so that nobody comes across words that are no longer true.
 const KEEP_MS: i32 = 5000;
 

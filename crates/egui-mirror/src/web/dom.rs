@@ -9,7 +9,7 @@ use super::caret::selection;
 use super::elements::Elements;
 use super::host::{self, Host};
 use super::options::Options;
-use super::signals::{CARET_MOVED, FOCUSED, LEAVING, TOUCHED, VISITED, act, has_value_waiting, waiting_focus};
+use super::signals::{CARET_MOVED, FOCUSED, TOUCHED, TYPING, VISITED, act, has_value_waiting, waiting_focus};
 use crate::announce::{Announcement, announcements};
 use crate::caret::text_position;
 use crate::describe::Tree;
@@ -29,7 +29,12 @@ pub(crate) struct Dom {
     options: Options,
     nodes: Nodes,
     view: Option<View>,
+    root: NodeId,
     page: Page,
+    /// The element whose focus keeps something of it as it was.
+    held: Option<NodeId>,
+    /// The element that assistive technology is told of while the canvas has the focus.
+    active: Option<NodeId>,
 }
 
 /// What the page depends on besides the nodes.
@@ -53,11 +58,7 @@ impl Dom {
 
         // The elements of the mirror are what Tab stops at, not the canvas as a whole.
         canvas.set_tab_index(-1);
-        let defaults = [
-            ("role", "group"),
-            ("aria-label", &document.title()),
-            ("aria-owns", &host.element().id()),
-        ];
+        let defaults = [("role", "group"), ("aria-label", &document.title())];
         for (name, value) in defaults {
             if !canvas.has_attribute(name) && !value.is_empty() {
                 canvas.set_attribute(name, value)?;
@@ -66,7 +67,7 @@ impl Dom {
         host.lay_over(canvas);
         Ok(Self {
             ctx,
-            elements: Elements::new(document.clone(), host.content().clone()),
+            elements: Elements::new(document.clone(), host.content().clone(), host.abouts().clone()),
             document,
             canvas: canvas.clone(),
             agent,
@@ -74,7 +75,10 @@ impl Dom {
             options,
             nodes: Nodes::new(),
             view: None,
+            root: NodeId(0),
             page: Page::default(),
+            held: None,
+            active: None,
         })
     }
 
@@ -175,7 +179,8 @@ impl Dom {
         };
         let same_nodes = self.nodes.len() == update.nodes.len() && update.nodes.iter().all(|(id, node)| self.nodes.get(id) == Some(node));
         let mut news = Vec::new();
-        if !same_nodes || self.view != Some(view) {
+        let is_let_go = self.held.is_some_and(|id| FOCUSED.get() != Some(id));
+        if !same_nodes || self.view != Some(view) || is_let_go {
             if self.view.map(|view| (view.scale, view.size)) != Some((view.scale, view.size)) {
                 self.lay_over_canvas();
             }
@@ -183,19 +188,37 @@ impl Dom {
             if !same_nodes {
                 self.nodes = update.nodes.into_iter().collect();
             }
-            let page = Page::describe(&Tree {
-                nodes: &self.nodes,
-                root,
-                focus: view.focus,
-                scale: 1.0 / f64::from(view.scale),
-                modal: view.modal,
-                input_mode: self.options.input_mode,
-            });
-            news = announcements(&self.page, &page);
-            self.become_page(page);
+            self.root = root;
+            news = self.describe();
         }
+        self.say_what_is_active();
         self.settle_inputs();
         self.follow_caret();
+        news
+    }
+
+    /// The person has stopped typing: now what they have typed may be called wrong. Returns what is to be read aloud.
+    pub(crate) fn typing_paused(&mut self) -> Vec<Announcement> {
+        TYPING.set(None);
+        if self.held.is_some() { self.describe() } else { Vec::new() }
+    }
+
+    /// Makes the page what the nodes say, and returns what is to be read aloud about it.
+    fn describe(&mut self) -> Vec<Announcement> {
+        let Some(view) = self.view else { return Vec::new() };
+        let mut page = Page::describe(&Tree {
+            nodes: &self.nodes,
+            root: self.root,
+            focus: view.focus,
+            scale: 1.0 / f64::from(view.scale),
+            modal: view.modal,
+            input_mode: self.options.input_mode,
+        });
+        self.held = FOCUSED
+            .get()
+            .filter(|id| page.keep_description(&self.page, *id, TYPING.get() == Some(*id)));
+        let news = announcements(&self.page, &page);
+        self.become_page(page);
         news
     }
 
@@ -206,14 +229,22 @@ impl Dom {
             .any(|edit| matches!(edit, Edit::Remove(_) | Edit::Create(..) | Edit::Children(..)));
         // Taking the focused element away, or moving it, makes the browser forget.
         let held = FOCUSED.get().and_then(|id| self.page.get(id)).cloned();
-        for edit in edits {
+        // What has the focus is shut out only when the focus has gone: else the browser would take it nowhere, and say so.
+        let (last, first): (Vec<Edit>, Vec<Edit>) = edits
+            .into_iter()
+            .partition(|edit| matches!(edit, Edit::Attribute(_, "inert", Some(_))));
+        for edit in first {
             // One element that the browser refuses must not take the rest of the page with it.
             let _ = self.elements.carry_out(edit);
         }
         let old = std::mem::replace(&mut self.page, page);
-        self.say_what_is_active(&old);
-        if let Some(held) = held {
-            self.follow_focus(&old, &held, moved);
+        match held {
+            Some(held) => self.follow_focus(&old, &held, moved),
+            None if old.elements().is_empty() => self.begin(),
+            None => (),
+        }
+        for edit in last {
+            let _ = self.elements.carry_out(edit);
         }
         if let Some(agent) = &mut self.agent {
             let focused = self.page.focus().and_then(|id| self.page.get(id));
@@ -232,15 +263,31 @@ impl Dom {
         }
     }
 
+    /// Where nothing else in the document has the focus, puts it on the element that egui has focused, else on the first: the canvas
+    /// says nothing.
+    fn begin(&self) {
+        let active = self.document.active_element();
+        let is_nowhere = active.is_none_or(|active| active.tag_name() == "BODY" || self.is_canvas(&active));
+        let first = self.page.focus().filter(|id| self.page.can_take_focus(*id));
+        if let Some(id) = first.or_else(|| self.page.tab_stops().next()).filter(|_| is_nowhere) {
+            self.focus_quietly(id);
+        }
+    }
+
     /// Tells assistive technology which element has egui's focus while the canvas has the browser's.
-    fn say_what_is_active(&self, old: &Page) {
-        if let Some(id) = self.page.focus() {
-            if Some(id) != old.focus() {
-                LEAVING.set(false);
-                let _ = self.canvas.set_attribute("aria-activedescendant", &element_id(id));
-            }
-        } else if old.focus().is_some() {
-            let _ = self.canvas.remove_attribute("aria-activedescendant");
+    fn say_what_is_active(&mut self) {
+        let has_focus = self.document.active_element().is_some_and(|active| self.is_canvas(&active));
+        let active = self.page.focus().filter(|_| has_focus);
+        if active == self.active {
+            return;
+        }
+        self.active = active;
+        let values = active.map(|id| [element_id(id), self.host.element().id()]);
+        for (index, name) in ["aria-activedescendant", "aria-owns"].into_iter().enumerate() {
+            let _ = match values.as_ref().and_then(|values| values.get(index)) {
+                Some(value) => self.canvas.set_attribute(name, value),
+                None => self.canvas.remove_attribute(name),
+            };
         }
     }
 
@@ -273,16 +320,6 @@ impl Dom {
     /// Focuses an element without telling egui, which knows.
     pub(crate) fn focus_quietly(&self, id: NodeId) {
         self.elements.focus_quietly(id);
-    }
-
-    /// Focuses the first or last element without telling egui, for the browser to go on from, out of the mirror. (The empty
-    /// places beyond them will not do: from there Firefox goes round.)
-    pub(crate) fn focus_outermost(&self, last: bool) {
-        let mut stops = self.page.tab_stops();
-        match if last { stops.next_back() } else { stops.next() } {
-            Some(id) => self.focus_quietly(id),
-            None => self.host.focus_edge(last),
-        }
     }
 
     /// Moves egui's caret and selection to where they are in the field that is being edited.

@@ -10,7 +10,7 @@ use super::host;
 use super::lettering::Measure;
 use super::signals::{COMPOSING, QUIET, has_value_waiting};
 use crate::diff::Edit;
-use crate::element::{Place, element_id};
+use crate::element::{Place, about_id, element_id};
 
 /// Every element lies where it is painted. The size of the text keeps phones from zooming in on a field.
 const STYLE: &str = "position:absolute;box-sizing:border-box;margin:0;padding:0;border:0;min-width:0;min-height:0;\
@@ -24,16 +24,21 @@ pub(crate) struct Elements {
     /// What contains them all.
     content: HtmlElement,
     by_node: HashMap<NodeId, HtmlElement>,
+    /// What contains the descriptions, which are referred to, and read nowhere else.
+    abouts: HtmlElement,
+    about: HashMap<NodeId, Element>,
     measure: Option<Measure>,
 }
 
 impl Elements {
-    pub(crate) fn new(document: Document, content: HtmlElement) -> Self {
+    pub(crate) fn new(document: Document, content: HtmlElement, abouts: HtmlElement) -> Self {
         Self {
             measure: Measure::new(&document),
             document,
             content,
             by_node: HashMap::new(),
+            abouts,
+            about: HashMap::new(),
         }
     }
 
@@ -48,7 +53,9 @@ impl Elements {
                 if let Some(element) = self.by_node.remove(&id) {
                     element.remove();
                 }
+                self.set_about(id, None)?;
             }
+            Edit::About(id, words) => self.set_about(id, words)?,
             Edit::Create(id, tag) => {
                 let element: HtmlElement = self.document.create_element(tag)?.dyn_into()?;
                 element.set_id(&element_id(id));
@@ -79,6 +86,28 @@ impl Elements {
             }
             Edit::Children(parent, children) => self.set_children(parent, &children)?,
         }
+        Ok(())
+    }
+
+    /// Sets what the page says about an element.
+    fn set_about(&mut self, id: NodeId, words: Option<String>) -> Result<(), JsValue> {
+        let Some(words) = words else {
+            if let Some(about) = self.about.remove(&id) {
+                about.remove();
+            }
+            return Ok(());
+        };
+        let about = match self.about.get(&id) {
+            Some(about) => about.clone(),
+            None => {
+                let about = self.document.create_element("span")?;
+                about.set_id(&about_id(id));
+                self.abouts.append_child(&about)?;
+                self.about.insert(id, about.clone());
+                about
+            }
+        };
+        about.set_text_content(Some(&words));
         Ok(())
     }
 

@@ -4,10 +4,11 @@ use egui::accesskit::{Action, ActionData, NodeId};
 use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{Element, Event, HtmlInputElement, HtmlTextAreaElement};
 
+use super::announcer::PAUSE_MS;
 use super::dom::Dom;
 use super::installed::with;
 use super::listener::Listener;
-use super::signals::{self, CARET_MOVED, COMPOSING, FOCUSED, LEAVING, QUIET, TOUCHED, act};
+use super::signals::{self, CARET_MOVED, COMPOSING, FOCUSED, QUIET, TOUCHED, TYPING, act};
 use super::{keyboard, pointer};
 use crate::element::node_id;
 use crate::number::number;
@@ -41,11 +42,6 @@ pub(crate) fn listen(dom: &Dom) -> Result<Vec<Listener>, JsValue> {
         }),
         // Before eframe's own listener on the canvas, which keeps every Tab from the browser.
         Listener::new(&window, "keydown", true, keyboard::on_its_way),
-        Listener::new(&window, "pointerdown", true, |event| {
-            if event.is_trusted() {
-                LEAVING.set(false);
-            }
-        }),
         Listener::new(&window, "resize", false, |_| {
             let _ = with(|mirror| mirror.dom.lay_over_canvas());
         }),
@@ -87,6 +83,7 @@ fn focus_came(event: &Event) {
 fn focus_went() {
     FOCUSED.set(None);
     COMPOSING.set(None);
+    TYPING.set(None);
     let _ = with(|mirror| mirror.dom.ctx().request_repaint());
 }
 
@@ -162,6 +159,8 @@ fn typed(event: &Event) {
             return;
         }
         TOUCHED.with_borrow_mut(|touched| touched.push(id));
+        TYPING.set(Some(id));
+        mirror.pause.start(PAUSE_MS);
         dom.ctx().request_repaint();
         if !element.allowed.set_value {
             return;

@@ -11,9 +11,10 @@ pub(crate) const FONT_SIZE: f64 = 16.0;
 /// color, so that nothing is seen of it but what the browser marks, as when it searches in the page. It has an opacity, because what has
 /// none counts as not displayed to WebDriver. `visibility` and `display` would take the page from the accessibility tree as well, and a
 /// page clipped to nothing or moved aside would not say where on the screen its elements are. Colors that a person has chosen for
-/// everything are not for what is not seen.
+/// everything are not for what is not seen. A caret that cannot be seen does not blink either, which has the browser draw the page.
 const STYLE: &str = "position:absolute;margin:0;padding:0;border:0;overflow:hidden;contain:strict;touch-action:pinch-zoom;\
-    font:16px sans-serif;color:#808080;-webkit-text-fill-color:transparent;caret-color:transparent;background:none;\
+    font:16px sans-serif;color:#808080;-webkit-text-fill-color:transparent;caret-color:transparent;\
+    caret-animation:manual;background:none;\
     forced-color-adjust:none";
 
 /// So far from the edges of what can be scrolled lies the page: a browser that searches in it scrolls to what it finds, wherever that is,
@@ -25,6 +26,8 @@ pub(crate) struct Host {
     element: HtmlElement,
     /// What contains the elements of the page.
     content: HtmlElement,
+    /// What contains their descriptions.
+    abouts: HtmlElement,
     /// Empty places before and after the content: Tab goes on from there.
     edges: [HtmlElement; 2],
     is_own: bool,
@@ -49,6 +52,8 @@ impl Host {
         let content = make("div")?;
         let place = format!("position:absolute;left:{MARGIN}px;top:{MARGIN}px;width:{MARGIN}px;height:{MARGIN}px");
         content.style().set_css_text(&place);
+        let abouts = make("div")?;
+        abouts.set_hidden(true);
         let edges = [make("span")?, make("span")?];
         for edge in &edges {
             edge.set_tab_index(-1);
@@ -57,9 +62,13 @@ impl Host {
         for part in [first, &content, last] {
             element.append_child(part)?;
         }
+        // Beside the page, as nobody reads them there.
+        let parent = element.parent_node().ok_or("the element of the mirror is in no document")?;
+        parent.insert_before(&abouts, element.next_sibling().as_ref())?;
         Ok(Self {
             element,
             content,
+            abouts,
             edges,
             is_own,
         })
@@ -67,6 +76,10 @@ impl Host {
 
     pub(crate) fn element(&self) -> &HtmlElement {
         &self.element
+    }
+
+    pub(crate) fn abouts(&self) -> &HtmlElement {
+        &self.abouts
     }
 
     pub(crate) fn content(&self) -> &HtmlElement {
@@ -122,6 +135,7 @@ impl Host {
 
 impl Drop for Host {
     fn drop(&mut self) {
+        self.abouts.remove();
         if self.is_own {
             self.element.remove();
         } else {

@@ -6,6 +6,7 @@ use super::announcer::Announcer;
 use super::dom::Dom;
 use super::gate::Gate;
 use super::listener::Listener;
+use super::timer::Timer;
 
 thread_local! {
     /// What belongs to the browser. A plugin must be `Send`, and nothing of the browser is.
@@ -17,6 +18,8 @@ pub(crate) struct Installed {
     pub(crate) dom: Dom,
     pub(crate) announcer: Announcer,
     pub(crate) gate: Gate,
+    /// Ends when nobody has typed for a while.
+    pub(crate) pause: Timer,
     /// They listen as long as this lives.
     pub(crate) _listeners: Vec<Listener>,
 }

@@ -6,7 +6,7 @@ use web_sys::{Element, Event, KeyboardEvent};
 
 use super::dom::Dom;
 use super::installed::with;
-use super::signals::{LEAVING, act, send};
+use super::signals::{act, send};
 use crate::keys::{self, Direction, Route};
 use crate::roles::Kind;
 
@@ -24,6 +24,9 @@ pub(crate) fn pressed(event: &Event, id: NodeId) {
         let dom = &mirror.dom;
         let Some(element) = dom.page().get(id) else { return };
         let key = event.key();
+        if keys::is_idle(element, &key) {
+            return;
+        }
         match keys::route(element.kind, &key, modifiers, dom.is_shortcut(&key, modifiers)) {
             Route::Browser => (),
             Route::Egui { only } => {
@@ -107,6 +110,10 @@ pub(crate) fn on_its_way(event: &Event) {
         let dom = &mirror.dom;
         let on_canvas = dom.is_canvas(&place);
         if !on_canvas && !dom.is_in_mirror(&place) {
+            // A dialog closes wherever the focus is.
+            if key == "Escape" && place.tag_name() == "BODY" && dom.page().has_popup() {
+                press(dom.ctx(), event, modifiers(event), Kind::Other);
+            }
             return;
         }
         let is_mac = dom.ctx().os() == egui::os::OperatingSystem::Mac;
@@ -114,29 +121,22 @@ pub(crate) fn on_its_way(event: &Event) {
             event.stop_immediate_propagation();
         }
         match key.as_str() {
-            "Shift" => (),
-            "Escape" => LEAVING.set(!dom.page().has_popup()),
-            "Tab" if !event.ctrl_key() && !event.alt_key() && !event.meta_key() => {
-                tab(dom, on_canvas, event.shift_key());
-                if on_canvas {
-                    // And then the browser does with Tab what it does everywhere.
-                    event.stop_immediate_propagation();
-                }
-                LEAVING.set(false);
+            // It closes what is open, and does nothing else: egui would let go of the focus.
+            "Escape" if !dom.page().has_popup() => event.stop_immediate_propagation(),
+            "Tab" if on_canvas && !event.ctrl_key() && !event.alt_key() && !event.meta_key() => {
+                tab(dom, event.shift_key());
+                // And then the browser does with Tab what it does everywhere.
+                event.stop_immediate_propagation();
             }
-            _ => LEAVING.set(false),
+            _ => (),
         }
     });
 }
 
 /// Puts the browser's focus where its own Tab goes on in the right way.
-fn tab(dom: &Dom, on_canvas: bool, backwards: bool) {
-    if LEAVING.get() {
-        dom.focus_outermost(!backwards);
-    } else if on_canvas {
-        match dom.page().focus() {
-            Some(id) => dom.focus_quietly(id),
-            None => dom.host().focus_edge(backwards),
-        }
+fn tab(dom: &Dom, backwards: bool) {
+    match dom.page().focus() {
+        Some(id) => dom.focus_quietly(id),
+        None => dom.host().focus_edge(backwards),
     }
 }

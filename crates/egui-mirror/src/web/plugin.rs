@@ -10,6 +10,7 @@ use super::gate::Gate;
 use super::installed::{Installed, install, with, with_mut};
 use super::options::Options;
 use super::signals::{self, FOCUSED, QUEUE};
+use super::timer::Timer;
 
 /// The accessible mirror. There is one in a page.
 #[derive(Clone, Copy, Debug)]
@@ -38,9 +39,16 @@ impl Mirror {
         let gate = Gate::new(host, || {
             let _ = with(|mirror| mirror.gate.close());
         });
+        let pause = Timer::new(|| {
+            with_mut(|mirror| {
+                let news = mirror.dom.typing_paused();
+                mirror.announcer.announce(news);
+            });
+        });
         let listeners = events::listen(&dom)?;
         install(Installed {
             dom,
+            pause,
             announcer,
             gate,
             _listeners: listeners,

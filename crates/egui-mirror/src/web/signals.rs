@@ -13,8 +13,8 @@ thread_local! {
     pub(crate) static VISITED: RefCell<Vec<NodeId>> = const { RefCell::new(Vec::new()) };
     /// The focus is being moved because egui moved its own.
     pub(crate) static QUIET: Cell<bool> = const { Cell::new(false) };
-    /// Escape was pressed: the next Tab goes to what follows the application.
-    pub(crate) static LEAVING: Cell<bool> = const { Cell::new(false) };
+    /// The field that is being typed in: the last key was a moment ago.
+    pub(crate) static TYPING: Cell<Option<NodeId>> = const { Cell::new(None) };
     /// The field in which an input method is composing text.
     pub(crate) static COMPOSING: Cell<Option<NodeId>> = const { Cell::new(None) };
     /// Fields that were typed into since the last frame.

@@ -142,7 +142,14 @@ fn remarks(assessment: &Assessment, method: Method, unit: LengthUnit) -> Vec<Str
         .filter(|_| method == Method::Stereo && uncertainty.is_some());
     let one_pixel = one_pixel.map(|range| sentence(format!("{range} with {}", report::ONE_PIXEL)));
     let facing = assessment.geometry.facing.filter(|_| method == Method::Monocular);
-    let facing = facing.map(|facing| sentence(format!("{}: {}", report::WITHOUT_TILT, STYLE.length(Some(facing), unit))));
+    let facing = facing.map(|facing| {
+        sentence(format!(
+            "{} {}: {}",
+            method.name(),
+            report::WITHOUT_TILT,
+            STYLE.length(Some(facing), unit)
+        ))
+    });
     let is_poor = uncertainty.is_some_and(|known| !known.model.first_order_is_good());
     let poor = is_poor.then(|| sentence(Statement::FirstOrderIsPoor { has_simulation: true }));
     let bias = uncertainty.and_then(|known| known.notable_bias()).map(|bias| {

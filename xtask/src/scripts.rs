@@ -1,0 +1,52 @@
+//! The scripts of the page, without their comments: those are for who reads the source, and a third of what a visitor would download.
+
+use std::fs;
+use std::path::Path;
+
+/// Our own scripts in dist/, by the beginnings of their names.
+const SCRIPTS: [&str; 4] = ["start-", "rest-", "register-", "old-browser-"];
+
+/// Takes the comments out of the scripts in `dist`.
+pub(crate) fn strip_comments(dist: &Path) -> Result<(), String> {
+    let entries = fs::read_dir(dist).map_err(|error| format!("dist/ cannot be read: {error}."))?;
+    for path in entries.filter_map(|entry| Some(entry.ok()?.path())) {
+        let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+        if !(name.ends_with(".js") && SCRIPTS.iter().any(|script| name.starts_with(script))) {
+            continue;
+        }
+        let text = fs::read_to_string(&path).map_err(|error| format!("dist/{name} cannot be read: {error}."))?;
+        fs::write(&path, without_comments(&text)).map_err(|error| format!("dist/{name} cannot be written: {error}."))?;
+    }
+    Ok(())
+}
+
+/// `script` without the comments that have lines of their own, blank lines and indentation. No text in our scripts has several lines.
+fn without_comments(script: &str) -> String {
+    let mut is_inside = false;
+    let mut kept = String::with_capacity(script.len());
+    for line in script.lines().map(str::trim) {
+        let begins = line.starts_with("/*");
+        let is_comment = is_inside || begins || line.starts_with("//") || line.is_empty();
+        is_inside = (is_inside || begins) && !line.ends_with("*/");
+        if !is_comment {
+            kept.push_str(line);
+            kept.push('\n');
+        }
+    }
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_comments;
+
+    #[test]
+    fn what_is_no_comment_stays() {
+        let script =
+            "// What it is.\n\n/** One. */\nconst a = 'https://example.org'; // Why.\n/**\n * Two\n * lines.\n */\nif (a) {\n  b(a);\n}\n";
+        assert_eq!(
+            without_comments(script),
+            "const a = 'https://example.org'; // Why.\nif (a) {\nb(a);\n}\n"
+        );
+    }
+}
