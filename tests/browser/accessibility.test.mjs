@@ -183,12 +183,7 @@ it('axe-core finds nothing wrong with the offer of a new version', { engines: ON
   assert.deepEqual(await violations(page), []);
 });
 
-/** Puts the keyboard where it is when a page has just been loaded and nobody has done anything. */
-function leaveFields(page) {
-  return page.run('document.activeElement?.blur()');
-}
-
-/** The names of what Tab visits from the start of the page until it leaves the document, in order. */
+/** The names of what Tab visits from where the page starts until it leaves the document, in order. */
 async function journey(page) {
   const visited = [];
   for (let steps = 0; steps < 80; steps += 1) {
@@ -205,15 +200,14 @@ async function journey(page) {
 it('Tab leads through everything in the order in which it is read, and out again', { needs: ['leave a page with Tab'] }, async (test) => {
   const page = await bench.page(test);
   await page.start();
-  await leaveFields(page);
   const stops = await page.run(`return [...document.querySelectorAll('${MIRROR} [tabindex="0"]')].map((stop) => stop.id)`);
   assert.ok(stops.length > 15, `${stops.length} stops`);
   const visited = await journey(page);
   assert.deepEqual(
     visited.filter((name) => FIELDS.includes(name)),
-    FIELDS,
+    // The program starts in its first field; from there the way leads to the end.
+    FIELDS.slice(1),
   );
-  // The program starts in its first field; from there the way leads to the end.
   assert.ok(visited.length >= stops.length - 5, `of ${stops.length} stops Tab visits ${visited.join(', ')}`);
 });
 
@@ -230,8 +224,7 @@ it('Escape does nothing where nothing is open', async (test) => {
 it('a dialog keeps the keyboard while it is open, and gives it back', async (test) => {
   const page = await bench.page(test);
   await page.start();
-  await leaveFields(page);
-  await page.tabTo('From lens, FOV or Q…');
+  await page.run('arguments[0].focus()', await page.element('From lens, FOV or Q…', 'button'));
   await page.type(Key.ENTER);
   const isOpen = () => page.run(`return document.querySelector('${MIRROR} [role=dialog]') !== null`);
   await until('the dialog', isOpen);

@@ -1,13 +1,17 @@
 //! The scripts of the page, without their comments: those are for who reads the source, and a third of what a visitor would download.
 
+use base64::prelude::{BASE64_STANDARD, Engine as _};
+use sha2::{Digest as _, Sha384};
 use std::fs;
 use std::path::Path;
 
 /// Our own scripts in dist/, by the beginnings of their names.
 const SCRIPTS: [&str; 4] = ["start-", "rest-", "register-", "old-browser-"];
 
-/// Takes the comments out of the scripts in `dist`.
+/// Takes the comments out of the scripts in `dist`, and tells its page their digests.
 pub(crate) fn strip_comments(dist: &Path) -> Result<(), String> {
+    let page = dist.join("index.html");
+    let mut html = fs::read_to_string(&page).map_err(|error| format!("dist/index.html cannot be read: {error}."))?;
     let entries = fs::read_dir(dist).map_err(|error| format!("dist/ cannot be read: {error}."))?;
     for path in entries.filter_map(|entry| Some(entry.ok()?.path())) {
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
@@ -15,9 +19,19 @@ pub(crate) fn strip_comments(dist: &Path) -> Result<(), String> {
             continue;
         }
         let text = fs::read_to_string(&path).map_err(|error| format!("dist/{name} cannot be read: {error}."))?;
-        fs::write(&path, without_comments(&text)).map_err(|error| format!("dist/{name} cannot be written: {error}."))?;
+        let (before, short) = (integrity(&text), without_comments(&text));
+        fs::write(&path, &short).map_err(|error| format!("dist/{name} cannot be written: {error}."))?;
+        if !html.contains(&before) {
+            return Err(format!("dist/index.html does not say the digest of {name}, which is {before}."));
+        }
+        html = html.replace(&before, &integrity(&short));
     }
-    Ok(())
+    fs::write(&page, html).map_err(|error| format!("dist/index.html cannot be written: {error}."))
+}
+
+/// The digest of a script as Trunk writes it into the page.
+fn integrity(script: &str) -> String {
+    format!("sha384-{}", BASE64_STANDARD.encode(Sha384::digest(script)))
 }
 
 /// `script` without the comments that have lines of their own, blank lines and indentation. No text in our scripts has several lines.

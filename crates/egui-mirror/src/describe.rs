@@ -216,6 +216,10 @@ impl Writer<'_> {
                 if let Some(name) = name {
                     element.name = name;
                 }
+                if element.kind.is_text() && element.has_about() && !element.name.is_empty() {
+                    // For checkers that take a label which is scrolled out of sight for none; browsers go by the label.
+                    element.attributes.insert("aria-label", element.name.clone());
+                }
             }
         }
     }
