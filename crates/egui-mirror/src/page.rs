@@ -5,6 +5,8 @@ use std::collections::HashMap;
 use egui::accesskit::{Node, NodeId};
 
 use crate::element::Element;
+#[cfg(any(test, target_arch = "wasm32"))]
+use crate::element::node_id;
 
 /// The nodes of an AccessKit tree.
 pub type Nodes = HashMap<NodeId, Node>;
@@ -90,20 +92,22 @@ impl Page {
     /// whether that is not so any more.
     #[cfg(any(test, target_arch = "wasm32"))]
     pub(crate) fn keep_description(&mut self, old: &Self, id: NodeId, is_typed_in: bool) -> bool {
-        let (Some(before), Some(element)) = (old.get(id).cloned(), self.get_mut(id)) else {
-            return false;
-        };
+        let Some(before) = old.get(id).cloned() else { return false };
+        // What is gone describes nothing any more.
+        let is_there = |other: &&str| node_id(other).is_none_or(|other| self.get(other).is_some());
+        let present = |ids: &String| ids.split(' ').filter(is_there).collect::<Vec<_>>().join(" ");
+        let before_of = |name: &str| before.attributes.get(name);
+        let kept_of = |name: &str| before_of(name).map(present).filter(|ids| !ids.is_empty());
+        let [description, message] = ["aria-describedby", "aria-errormessage"].map(kept_of);
+        let validity = before_of("aria-invalid").cloned();
+        let Some(element) = self.get_mut(id) else { return false };
         if !element.kind.is_text() || !before.is_same_element(element) {
             return false;
         }
-        let kept: &[&'static str] = if is_typed_in {
-            &["aria-describedby", "aria-errormessage", "aria-invalid"]
-        } else {
-            &["aria-describedby", "aria-errormessage"]
-        };
+        let kept = [("aria-describedby", description), ("aria-errormessage", message)];
+        let kept = kept.into_iter().chain(is_typed_in.then_some(("aria-invalid", validity)));
         let mut is_kept = false;
-        for name in kept {
-            let value = before.attributes.get(name).cloned();
+        for (name, value) in kept {
             if element.attributes.get(name) != value.as_ref() {
                 is_kept = true;
                 match value {

@@ -276,3 +276,44 @@ fn text_lies_in_the_page_as_it_is_painted() {
     assert_eq!(lettering(words), Some((4.0, 2.0, 80.0, 16.0, 2)));
     assert_eq!(lettering(heading), Some((0.0, 0.0, 80.0, 24.0, 1)));
 }
+
+#[test]
+fn a_field_keeps_its_description_while_somebody_is_in_it_and_its_validity_while_they_type() {
+    let page = |error: Option<&str>| {
+        let mut tree = TestTree::new();
+        let field = tree.add(ROOT, Role::TextInput, |node| {
+            node.set_label("Height");
+            node.set_description("In meters.");
+            node.set_described_by(vec![NodeId(7)]);
+            if error.is_some() {
+                node.set_invalid(egui::accesskit::Invalid::True);
+            }
+        });
+        if let Some(error) = error {
+            tree.nodes.get_mut(&ROOT).unwrap().push_child(NodeId(7));
+            tree.nodes.insert(NodeId(7), {
+                let mut node = egui::accesskit::Node::new(Role::Label);
+                label(&mut node, error);
+                node
+            });
+        }
+        (tree.page(), field)
+    };
+    let said = |page: &Page, field| ["aria-describedby", "aria-invalid"].map(|name| attribute(page, field, name).map(str::to_owned));
+    let (good, field) = page(None);
+    let (bad, _) = page(Some("cannot be zero"));
+    let about = format!("about-{:x}", field.0);
+
+    let mut typed_in = bad.clone();
+    assert!(typed_in.keep_description(&good, field, true));
+    assert_eq!(said(&typed_in, field), [Some(about.clone()), None]);
+
+    let mut paused = bad.clone();
+    assert!(paused.keep_description(&good, field, false));
+    assert_eq!(said(&paused, field), [Some(about.clone()), Some("true".to_owned())]);
+
+    // What is gone describes nothing.
+    let mut mended = good.clone();
+    assert!(!mended.keep_description(&bad, field, false));
+    assert_eq!(said(&mended, field), [Some(about), None]);
+}
