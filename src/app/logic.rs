@@ -142,15 +142,6 @@ impl App {
         ctx.request_repaint();
     }
 
-    /// Tells the platform which screen is shown, when that is another.
-    fn tell_screen(&mut self) {
-        let screen = self.settings.screen;
-        if self.told_screen != Some(screen) {
-            self.told_screen = Some(screen);
-            self.platform.screen_shown(screen.name(), &screen.title());
-        }
-    }
-
     fn text_of(&self, what: Copyable) -> Option<String> {
         match what {
             Copyable::Results => Some(self.with_results(|results| {

@@ -111,6 +111,15 @@ impl App {
         app
     }
 
+    /// Tells the platform which screen is shown, when that is another.
+    fn tell_screen(&mut self) {
+        let screen = self.settings.screen;
+        if self.told_screen != Some(screen) {
+            self.told_screen = Some(screen);
+            self.platform.screen_shown(screen.name(), &screen.title());
+        }
+    }
+
     /// Focuses the first field on an empty form, before the first frame; not on a phone, where that would open the keyboard. Earlier
     /// the size of the window is not known.
     fn focus_first_field(&mut self, ctx: &egui::Context) {

@@ -48,6 +48,7 @@ pub(crate) fn is_idle(element: &Element, key: &str) -> bool {
     key.starts_with("Arrow")
         && matches!(element.kind, Kind::Button | Kind::Check)
         && element.role().is_none()
+        && element.attribute("type") != Some("radio")
         && element.attribute("aria-haspopup").is_none()
 }
 

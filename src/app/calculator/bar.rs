@@ -1,6 +1,7 @@
 //! The bar at the foot of a phone: it keeps the answer in sight, or says what is missing and goes there.
 
-use super::strip::{badge_colors, colors, value_job};
+use super::strip::{badge_colors, colors};
+use super::value::value_job;
 use crate::app::command::Command;
 use crate::app::context::AppContext;
 use crate::app::sentences::Hint;

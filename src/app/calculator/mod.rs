@@ -16,6 +16,7 @@ mod start;
 mod strip;
 mod table;
 mod unknown;
+mod value;
 
 pub use bar::ui as result_bar_ui;
 pub use card::Card;

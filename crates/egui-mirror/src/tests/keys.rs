@@ -1,6 +1,7 @@
-use egui::Modifiers;
+use egui::{Modifiers, Role};
 
-use crate::keys::{Route, is_browsers, route};
+use super::{ROOT, TestTree, control};
+use crate::keys::{Route, is_browsers, is_idle, route};
 use crate::roles::Kind;
 
 #[test]
@@ -88,4 +89,27 @@ fn a_shortcut_of_the_application_reaches_egui_from_a_field_too() {
         );
     }
     assert_eq!(route(Kind::Line, "2", Modifiers::ALT, false), Route::Browser);
+}
+
+#[test]
+fn an_arrow_moves_the_focus_only_where_people_expect_it() {
+    let mut tree = TestTree::new();
+    let roles = [
+        Role::Button,
+        Role::CheckBox,
+        Role::Tab,
+        Role::RadioButton,
+        Role::MenuItem,
+        Role::Slider,
+    ];
+    let ids = roles.map(|role| tree.add(ROOT, role, |node| control(node, "One")));
+    let opener = tree.add(ROOT, Role::Button, |node| {
+        control(node, "More");
+        node.set_has_popup(egui::accesskit::HasPopup::Menu);
+    });
+    let page = tree.page();
+    let idle = ids.map(|id| is_idle(page.get(id).unwrap(), "ArrowDown"));
+    assert_eq!(idle, [true, true, false, false, false, false]);
+    assert!(!is_idle(page.get(opener).unwrap(), "ArrowDown"));
+    assert!(!is_idle(page.get(ids[0]).unwrap(), "Home"));
 }
