@@ -202,13 +202,15 @@ it('Tab leads through everything in the order in which it is read, and out again
   await page.start();
   const stops = await page.run(`return [...document.querySelectorAll('${MIRROR} [tabindex="0"]')].map((stop) => stop.id)`);
   assert.ok(stops.length > 15, `${stops.length} stops`);
+  // The program starts in its first field; from there the way leads to the end.
+  const start = stops.indexOf(await page.run('return document.activeElement.id'));
+  assert.ok(start >= 0, 'the keyboard is on none of them');
   const visited = await journey(page);
   assert.deepEqual(
     visited.filter((name) => FIELDS.includes(name)),
-    // The program starts in its first field; from there the way leads to the end.
     FIELDS.slice(1),
   );
-  assert.ok(visited.length >= stops.length - 5, `of ${stops.length} stops Tab visits ${visited.join(', ')}`);
+  assert.ok(visited.length >= stops.length - 1 - start, `of ${stops.length} stops Tab visits ${visited.join(', ')}`);
 });
 
 it('Escape does nothing where nothing is open', async (test) => {
