@@ -141,7 +141,7 @@ async function start() {
   }
 }
 
-/** In it the tab remembers that it was started again. */
+/** In it the tab remembers that it was started again, and why. */
 const RESTARTED = 'depth-calculator/restarted';
 
 /**
@@ -149,22 +149,25 @@ const RESTARTED = 'depth-calculator/restarted';
  * its memory, which ends in a trap or, where it reads a length there, in a panic. Nobody has entered anything yet that is not stored.
  * Returns whether it does.
  */
-function startsAgain() {
+function startsAgain(failure) {
   if (ranLong() || ifAllowed(() => sessionStorage.getItem(RESTARTED) !== null) !== false) return false;
   return ifAllowed(() => {
-    sessionStorage.setItem(RESTARTED, '');
+    sessionStorage.setItem(RESTARTED, `${failure.message} ${failure.detail}`);
     location.reload();
     return true;
   });
 }
 
 let isOver = false;
+/** Whether the browser goes to another page: Firefox then ends scripts in the middle, and what the program does next fails. */
+let isLeaving = false;
 
 /** The program has stopped: the page starts it again, or shows why. The first failure is the cause; later ones are its consequences. */
 function stop(failure) {
   if (isOver) return;
   isOver = true;
-  if (!failure.isOfProgram || !startsAgain()) show(failure);
+  if (isLeaving) return;
+  if (!failure.isOfProgram || !startsAgain(failure)) show(failure);
 }
 
 /** What ends a program without a panic: memory or stack exhausted, or memory that is not there. */
@@ -223,6 +226,12 @@ function followKeyboard() {
 addEventListener('program-failed', ({ detail: [what, todo, detail] }) => stop(new Failure(what, todo, detail, true)));
 addEventListener('error', (event) => onUncaught(event.error));
 addEventListener('unhandledrejection', (event) => onUncaught(event.reason));
+addEventListener('pagehide', () => (isLeaving = true));
+addEventListener('pageshow', () => {
+  // Somebody comes back to a page that was kept, and whose program was ended.
+  if (isLeaving && isOver) location.reload();
+  isLeaving = false;
+});
 element('reload').addEventListener('click', () => location.reload());
 element('afresh').addEventListener('click', startAfresh);
 globalThis.visualViewport?.addEventListener('resize', followKeyboard);

@@ -62,6 +62,22 @@ it('a panic is said, and a reload brings back what was entered', async (test) =>
   await page.says(/1\.373…1\.429 m/);
 });
 
+it('a program that is ended while the page is left is not started there, and is there again for who comes back', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  await fillMug(page);
+  await mugIsStored(page);
+  // As Firefox does where a script runs when somebody follows a link: what the program had locked stays locked, and it says so.
+  await page.run(
+    "dispatchEvent(new PageTransitionEvent('pagehide', { persisted: true })); dispatchEvent(new CustomEvent('program-failed', { detail: ['It stopped.', 'Reload.', 'A lock.'] }))",
+  );
+  assert.equal(await page.failure(), '');
+  assert.equal(await page.whyStartedAgain(), null);
+  await page.renew("dispatchEvent(new PageTransitionEvent('pageshow', { persisted: true }))");
+  assert.equal(await page.value(FX), '700');
+  await page.says(/1\.373…1\.429 m/);
+});
+
 it('what is stored need not be read again if it may be why the program stops', async (test) => {
   const page = await bench.page(test);
   await page.start();

@@ -29,13 +29,13 @@ export function unless(ability) {
  */
 async function isFaultOfCompiler(error) {
   if (!engine.breaksPrograms) return false;
-  return /Out of bounds memory access|capacity overflow/.test(error.message) || (await wasStartedAgain());
+  return /Out of bounds memory access|capacity overflow/.test(error.message) || (await whyStartedAgain()) !== null;
 }
 
-/** Whether the program stopped on the page of this test, which did not mean it to. */
-async function wasStartedAgain() {
+/** Why the program stopped on the page of this test, which did not mean it to; null if it did not. */
+async function whyStartedAgain() {
   const { page } = current;
-  return page !== undefined && !page.mayStartAgain && (await page.wasStartedAgain());
+  return page === undefined || page.mayStartAgain ? null : page.whyStartedAgain();
 }
 
 /**
@@ -55,7 +55,8 @@ export function it(name, ...rest) {
   test(name, { skip: needs.map(unless).find(Boolean) ?? false }, async (context) => {
     try {
       await run(context);
-      if (!engine.breaksPrograms && (await wasStartedAgain())) throw new Error('The program stopped, and the page started it again.');
+      const why = engine.breaksPrograms ? null : await whyStartedAgain();
+      if (why !== null) throw new Error(`The program stopped, and the page started it again: ${why}`);
     } catch (error) {
       if (!(await isFaultOfCompiler(error))) throw error;
       console.log(`Again, as the engine’s compiler has broken the program: ${name}\n${error.stack}`);

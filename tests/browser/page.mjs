@@ -137,9 +137,9 @@ export class Page {
     await this.started();
   }
 
-  /** Whether the page has started the program again, because it stopped soon after its start (assets/web/start.js). */
-  wasStartedAgain() {
-    return this.run('return sessionStorage.getItem(arguments[0]) !== null', RESTARTED).catch(() => false);
+  /** Why the page has started the program again, which stopped soon after its start (assets/web/start.js); null if it has not. */
+  whyStartedAgain() {
+    return this.run('return sessionStorage.getItem(arguments[0])', RESTARTED).catch(() => null);
   }
 
   /** From now on the page says why the program stops, as if it had started it again before. */
@@ -279,7 +279,21 @@ export class Page {
 
   /** The middle of an element, in whole pixels of the window. */
   middle(element) {
-    return this.run('const { x, y, width, height } = arguments[0].getBoundingClientRect(); return { x: Math.round(x + width / 2), y: Math.round(y + height / 2) }', element);
+    return this.within(element, 0.5);
+  }
+
+  /** Near the right end of an element, in whole pixels of the window. */
+  rightEnd(element) {
+    return this.within(element, 0.95);
+  }
+
+  /** Half-way down an element, at this part of its width. */
+  within(element, part) {
+    return this.run(
+      'const { x, y, width, height } = arguments[0].getBoundingClientRect(); return { x: Math.round(x + width * arguments[1]), y: Math.round(y + height / 2) }',
+      element,
+      part,
+    );
   }
 
   /** Moves the mouse to where the program has painted an element of the mirror, once it lies still. */

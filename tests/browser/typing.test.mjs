@@ -45,7 +45,8 @@ for (const [device, width, height, needs] of [
     await page.start();
     const reset = await page.middle(await page.element('Reset', 'button'));
     const places = [];
-    for (const name of FIELDS) places.push(await page.middle(await page.field(name)));
+    // Where no corrections lie: on a slow machine they are there long enough to be clicked.
+    for (const name of FIELDS) places.push(await page.rightEnd(await page.field(name)));
     const wrong = await wrongForms(page, texts, (values) => {
       const actions = page.driver.actions();
       const click = (place) => actions.move({ ...place, duration: 0 }).press().release();
@@ -133,6 +134,6 @@ for (const [drawn, options] of [
     await page.fill('Object width in image (w_img)', '100');
     await page.fill(name, '0.30');
     await until('the distance', async () => /1\.5\d* m\b/.test(await page.text()));
-    assert.equal(await page.wasStartedAgain(), false, 'it was not started again meanwhile');
+    assert.equal(await page.whyStartedAgain(), null, 'it was not started again meanwhile');
   });
 }

@@ -281,6 +281,30 @@ fn who_clicks_where_a_card_is_just_opening_means_the_field_below_it() {
 }
 
 #[test]
+fn a_correction_takes_a_click_only_when_somebody_can_have_seen_it() {
+    // Each frame takes longer than a correction waits, once it is on the screen.
+    let outcome = |frames_seen: usize| {
+        let builder = egui_kittest::Harness::builder().with_size(DESKTOP).with_step_dt(0.5);
+        let mut program = Program::build(Machine::default(), builder);
+        let fx = program.input(FX).rect().center();
+        program.harness.input_mut().events.extend([click(fx), typed("1,000")].concat());
+        while program.harness.query_by_label("Use 1000").is_none() {
+            program.harness.step();
+        }
+        let fix = program.harness.get_by_label("Use 1000").rect();
+        assert!(fix.intersects(program.input(B).rect()), "it lies over the next field");
+        for _ in 0..frames_seen {
+            program.harness.step();
+        }
+        let both = fix.intersect(program.input(B).rect()).center();
+        at_once(&mut program, [click(both), typed("100")].concat());
+        [program.value(FX), program.value(B)]
+    };
+    assert_eq!(outcome(0), ["1,000", "100"]);
+    assert_eq!(outcome(2), ["1000100", ""]);
+}
+
+#[test]
 fn a_click_counts_however_slow_the_frames_are() {
     let builder = egui_kittest::Harness::builder().with_size(DESKTOP).with_step_dt(3.0);
     let mut program = Program::build(Machine::default(), builder);

@@ -190,7 +190,7 @@ fn what_was_remarked_before_still_is() {
     tilted.entry_mut(Field::Tilt).text = "60".into();
     let remarks = |inputs: &Inputs, cell: usize| strip(Mode::Distance, inputs, None)[cell].remarks.join(" ");
     assert!(
-        remarks(&tilted, 1).contains("Without the tilt: 4.275 m."),
+        remarks(&tilted, 1).contains("Monocular without the tilt: 4.275 m."),
         "{}",
         remarks(&tilted, 1)
     );

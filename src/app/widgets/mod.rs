@@ -8,6 +8,7 @@ pub mod field;
 pub mod figure;
 pub mod joined;
 pub mod menu;
+mod note_card;
 mod note_line;
 pub mod picture;
 pub mod progress;
