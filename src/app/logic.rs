@@ -55,9 +55,9 @@ impl App {
             Event::Saved(Ok(place)) => self.say(NoticeText::Saved(place), None),
             Event::Saved(Err(error)) => self.say(NoticeText::NotSaved(error), None),
             Event::Colors(colors) => {
-                if colors != self.system_colors {
-                    self.system_colors = colors;
-                    theme::force(ctx, colors);
+                if colors != self.colors {
+                    self.colors = colors;
+                    theme::color(ctx, colors);
                 }
             }
             Event::Link(fragment) => self.carry_out(ctx, Command::Follow(fragment)),
@@ -289,7 +289,7 @@ impl App {
 mod tests {
     use super::*;
     use crate::app::platform::{Licenses, Platform};
-    use crate::app::theme::SystemColors;
+    use crate::app::theme::{Colors, SystemColors};
     use crate::core::problem::Field;
     use crate::core::quantity::LengthUnit;
     use egui::{Color32, Theme};
@@ -388,9 +388,9 @@ mod tests {
             button_border: Color32::WHITE,
         };
         let background = |ctx: &egui::Context| [Theme::Light, Theme::Dark].map(|theme| ctx.style_of(theme).visuals.panel_fill);
-        let (ctx, _) = after(vec![Event::Colors(Some(colors))]);
+        let (ctx, _) = after(vec![Event::Colors(Colors::Chosen(colors))]);
         assert_eq!(background(&ctx), [Color32::BLACK; 2]);
-        let (ctx, _) = after(vec![Event::Colors(Some(colors)), Event::Colors(None)]);
+        let (ctx, _) = after(vec![Event::Colors(Colors::Chosen(colors)), Event::Colors(Colors::Usual)]);
         assert_eq!(background(&ctx), background(&after(Vec::new()).0));
     }
 }

@@ -44,7 +44,7 @@ pub(crate) use sentences::snapshot;
 pub use sentences::{Place, PlatformError};
 use session::Session;
 use theme::Layout;
-pub use theme::{INTER, SystemColors};
+pub use theme::{Colors, INTER, SystemColors};
 use widgets::field;
 
 /// The application.
@@ -62,7 +62,7 @@ pub struct App {
     dialog: Option<Dialog>,
     /// What was put on the clipboard last.
     copied: Copyable,
-    system_colors: Option<SystemColors>,
+    colors: Colors,
     /// The chart that is being saved.
     chart_picture: Option<ChartPicture>,
     /// The commands of the last frame, in order.
@@ -99,7 +99,7 @@ impl App {
             notice: None,
             dialog: None,
             copied: Copyable::Results,
-            system_colors: None,
+            colors: Colors::Usual,
             chart_picture: None,
             pending: Vec::new(),
             has_started: false,

@@ -8,7 +8,6 @@ use super::saved::{PROGRAM, Screen};
 use super::theme;
 use super::widgets::{choice, menu, scroll, text};
 use egui::accesskit::Role;
-use egui::containers::menu::MenuButton;
 use egui::{Align2, Button, Popup, Rect, RichText, Sense, Stroke, ThemePreference, Ui, UiBuilder, pos2, vec2};
 
 /// How the screens are offered in the room that there is.
@@ -187,29 +186,19 @@ fn menu_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
         node.set_expanded(is_open);
         node.set_label(format!("Screens: {name}"));
     });
-    Popup::menu(&response).show(|ui| {
-        menu::style(ui);
-        ui.spacing_mut().interact_size.y = height;
-        for screen in Screen::ALL {
-            if menu::item_ui(ui, screen.name(), true) {
-                cx.commands.push(Command::Show(screen));
-            }
-        }
-    });
+    let entries = Screen::ALL.map(|screen| (screen.name(), None));
+    let screen = menu::ui(&response, height, &entries).and_then(|at| Screen::ALL.get(at));
+    cx.commands.extend(screen.map(|&screen| Command::Show(screen)));
 }
 
 fn theme_choice_ui(ui: &mut Ui, cx: &mut AppContext<'_>, side: f32, is_framed: bool) {
     let button = Button::new(RichText::new("◐").size(theme::ICON_SIZE)).frame_when_inactive(is_framed);
-    let (response, _) = MenuButton::from_button(button.min_size(vec2(side, side))).ui(ui, |ui| {
-        ui.spacing_mut().interact_size.y = cx.layout.control_height();
-        for choice in [ThemePreference::System, ThemePreference::Light, ThemePreference::Dark] {
-            let command = Command::Theme(choice);
-            if ui.selectable_label(cx.settings.theme == choice, command.text()).clicked() {
-                cx.commands.push(command);
-                ui.close();
-            }
-        }
-    });
+    let response = ui.add(button.min_size(vec2(side, side)));
+    let choices = [ThemePreference::System, ThemePreference::Light, ThemePreference::Dark].map(Command::Theme);
+    let is_chosen = |command: &Command| *command == Command::Theme(cx.settings.theme);
+    let entries = choices.each_ref().map(|choice| (choice.text(), Some(is_chosen(choice))));
+    let chosen = menu::ui(&response, cx.layout.control_height(), &entries).and_then(|at| choices.get(at));
+    cx.commands.extend(chosen.cloned());
     let _ = response.accessible_name("Light or dark").on_hover_text("Light or dark");
 }
 

@@ -1,7 +1,7 @@
 //! The port to the platform: storage, clipboard, files, paper, events, and what the program says about itself.
 
 use super::sentences::{Place, PlatformError};
-use super::theme::SystemColors;
+use super::theme::Colors;
 
 /// What the program needs from the machine it runs on.
 pub trait Platform {
@@ -78,8 +78,8 @@ pub enum Event {
     Pasted(Result<String, PlatformError>),
     /// The outcome of a [`Platform::save_file`]: where the file is.
     Saved(Result<Place, PlatformError>),
-    /// The person has chosen these colors for everything on the screen, or none any more.
-    Colors(Option<SystemColors>),
+    /// What the person wants of the colors from now on.
+    Colors(Colors),
     /// A link to the program was followed: the part behind its `#`.
     Link(String),
     /// The person went back or forward to the screen with this name.

@@ -1,4 +1,4 @@
-// Whoever does not see the canvas, or uses no mouse: axe-core on every screen, and the way of the keyboard.
+// Whoever does not see the canvas, or uses no mouse: axe-core and IBM Equal Access on every screen, and the way of the keyboard.
 
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
@@ -6,7 +6,9 @@ import { createRequire } from 'node:module';
 import { after, before, it, ONE_ENGINE, unless } from './harness.mjs';
 import { background, Key, startBench, until } from './page.mjs';
 
-const AXE = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const script = (name) => readFile(createRequire(import.meta.url).resolve(name), 'utf8');
+const AXE = await script('axe-core/axe.min.js');
+const EQUAL_ACCESS = await script('accessibility-checker-engine/ace.js');
 const MIRROR = '#accessible-mirror';
 const WIDTHS = [390, 1280];
 const FX = 'Focal length (fx)';
@@ -89,8 +91,34 @@ const SCREENS = {
 /** Of these, what closes by itself when the window changes. */
 const CLOSES = ['the other dialog, with a list open', 'an open menu'];
 
-/** What axe-core finds wrong, one line per element. */
+/** What the checkers find wrong, one line per element. */
 async function violations(page) {
+  return [...(await foundByAxe(page)), ...(await foundByEqualAccess(page))];
+}
+
+async function foundByEqualAccess(page) {
+  await page.run(`if (!globalThis.ace) { ${EQUAL_ACCESS}\n globalThis.ace = ace; }`);
+  const [results, failure] = await page.driver.executeAsyncScript(
+    `const [mirror, done] = arguments;
+    // Contrast as above. What is inert does not exist for anybody, which this checker does not know.
+    const counts = ({ ruleId, node }) => {
+      const element = node.nodeType === Node.ELEMENT_NODE ? node : node.parentElement;
+      return !element?.closest('[inert]') && !(ruleId === 'text_contrast_sufficient' && element?.closest(mirror));
+    };
+    new ace.Checker().check(document, ['WCAG_2_2']).then(
+      ({ results }) => done([results.filter(counts).map(({ ruleId, value, message, snippet }) => ({ ruleId, value, message, snippet })), null]),
+      (error) => done([null, String(error)]),
+    )`,
+    MIRROR,
+  );
+  assert.equal(failure, null);
+  assert.ok(results.length > 10, `IBM Equal Access had next to nothing to look at: ${results.length} results`);
+  return results
+    .filter(({ value }) => value.join() === 'VIOLATION,FAIL')
+    .map(({ ruleId, message, snippet }) => `${ruleId} (${message}): ${snippet.replace(/ style="[^"]*"/, '')}`);
+}
+
+async function foundByAxe(page) {
   await page.run(`if (!globalThis.axe) { ${AXE} }`);
   const [outcome, failure] = await page.driver.executeAsyncScript(
     `const [mirror, done] = arguments;
@@ -121,7 +149,7 @@ async function choose(page, theme) {
 }
 
 for (const [name, reach] of Object.entries(SCREENS)) {
-  it(`axe-core finds nothing wrong with ${name}, narrow and wide, light and dark`, { engines: ONE_ENGINE }, async (test) => {
+  it(`the checkers find nothing wrong with ${name}, narrow and wide, light and dark`, { engines: ONE_ENGINE }, async (test) => {
     const page = await bench.page(test);
     const found = [];
     // What is open until something else happens has to be reached at each width.
@@ -162,7 +190,7 @@ const PAGES = {
 };
 
 for (const [name, reach] of Object.entries(PAGES)) {
-  it(`axe-core finds nothing wrong with ${name}`, { engines: ONE_ENGINE }, async (test) => {
+  it(`the checkers find nothing wrong with ${name}`, { engines: ONE_ENGINE }, async (test) => {
     const page = await bench.page(test);
     for (const width of WIDTHS) {
       for (const dark of [false, true]) {
@@ -175,7 +203,7 @@ for (const [name, reach] of Object.entries(PAGES)) {
   });
 }
 
-it('axe-core finds nothing wrong with the offer of a new version', { engines: ONE_ENGINE }, async (test) => {
+it('the checkers find nothing wrong with the offer of a new version', { engines: ONE_ENGINE }, async (test) => {
   const page = await bench.page(test);
   await page.start();
   // As assets/web/register.js shows it.

@@ -41,6 +41,67 @@ fn the_question_mark_lists_the_keys() {
     assert!(!program.says("Step ten times as far"));
 }
 
+fn press_key(program: &mut Program, modifiers: Modifiers, key: Key) {
+    program.harness.key_press_modifiers(modifiers, key);
+    program.harness.run();
+}
+
+#[test]
+fn a_list_opens_by_an_arrow_and_is_gone_through_by_arrows_home_end_and_letters() {
+    let mut program = Program::new();
+    let list = format!("Unit of {B}");
+    for modifiers in [Modifiers::NONE, Modifiers::ALT] {
+        program.harness.get_by_label(&list).focus();
+        program.harness.run();
+        press_key(&mut program, modifiers, Key::ArrowDown);
+        assert!(
+            program.focused().starts_with("mm"),
+            "it begins with what is chosen: {}",
+            program.focused()
+        );
+        for (key, unit) in [
+            (Key::ArrowDown, "cm"),
+            (Key::End, "sq"),
+            (Key::ArrowDown, "mm"),
+            (Key::ArrowUp, "sq"),
+            (Key::Home, "mm"),
+        ] {
+            press_key(&mut program, Modifiers::NONE, key);
+            assert!(program.focused().starts_with(unit), "{key:?}: {}", program.focused());
+        }
+        press_key(&mut program, Modifiers::NONE, Key::Escape);
+        assert_eq!(program.focused(), list, "the focus goes back");
+    }
+    press_key(&mut program, Modifiers::NONE, Key::ArrowDown);
+    program.harness.event(egui::Event::Text("i".into()));
+    program.harness.run();
+    assert!(program.focused().starts_with("in"), "{}", program.focused());
+    press_key(&mut program, Modifiers::NONE, Key::Enter);
+    assert_eq!((program.unit(B).as_str(), program.focused()), ("in", list));
+    // Closed, a letter chooses at once, as in the browser.
+    program.harness.event(egui::Event::Text("k".into()));
+    program.harness.run();
+    assert_eq!(program.unit(B), "km");
+}
+
+#[test]
+fn a_menu_takes_the_focus_and_gives_it_back() {
+    let mut program = Program::new();
+    for (button, first, last) in [
+        ("Light or dark", "As the system", "Dark"),
+        ("More ways", "Two photographs and a step", "Two points"),
+    ] {
+        program.harness.get_by_label(button).focus();
+        program.harness.run();
+        press_key(&mut program, Modifiers::NONE, Key::Enter);
+        assert_eq!(program.focused(), first);
+        press_key(&mut program, Modifiers::NONE, Key::End);
+        assert_eq!(program.focused(), last);
+        press_key(&mut program, Modifiers::NONE, Key::Escape);
+        assert_eq!(program.focused(), button);
+    }
+}
+
 #[test]
 fn focus_out_of_sight_is_scrolled_into_view() {
     let mut program = Program::on(Machine::default(), PHONE);

@@ -8,13 +8,25 @@ use std::path::Path;
 /// Our own scripts in dist/, by the beginnings of their names.
 const SCRIPTS: [&str; 4] = ["start-", "rest-", "register-", "old-browser-"];
 
-/// Takes the comments out of the scripts in `dist`, and tells its page their digests.
+/// How the name of the script around the program begins.
+const PROGRAM: &str = "depth-calculator-";
+
+/// Takes the comments out of the scripts in `dist`, and tells its page their digests. That of the program is known to its preload only: a
+/// browser that knew it of the WebAssembly could not compile what arrives before it has all of it.
 pub(crate) fn strip_comments(dist: &Path) -> Result<(), String> {
     let page = dist.join("index.html");
     let mut html = fs::read_to_string(&page).map_err(|error| format!("dist/index.html cannot be read: {error}."))?;
     let entries = fs::read_dir(dist).map_err(|error| format!("dist/ cannot be read: {error}."))?;
     for path in entries.filter_map(|entry| Some(entry.ok()?.path())) {
         let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+        if name.ends_with(".js") && name.starts_with(PROGRAM) {
+            let script = fs::read_to_string(&path).map_err(|error| format!("dist/{name} cannot be read: {error}."))?;
+            let place = format!("<link rel=\"modulepreload\" href=\"./{name}\"");
+            if html.matches(&place).count() != 1 {
+                return Err(format!("dist/index.html should preload {name} once; it does not."));
+            }
+            html = html.replace(&place, &format!("{place} integrity=\"{}\"", integrity(&script)));
+        }
         if !(name.ends_with(".js") && SCRIPTS.iter().any(|script| name.starts_with(script))) {
             continue;
         }

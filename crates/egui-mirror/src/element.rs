@@ -99,7 +99,9 @@ impl Element {
         if !shape.named_by_content {
             attributes.set("aria-label", Some(name.as_str()).filter(|name| !name.is_empty()));
         }
-        attributes.set("tabindex", tab_index(shape.kind, allowed, node.is_disabled()));
+        let stop = tab_index(shape.kind, allowed, node.is_disabled());
+        // The arrow keys lead through an open list, not Tab. Source: ARIA Authoring Practices, "Combobox" and "Listbox".
+        attributes.set("tabindex", stop.map(|stop| if within == Within::ListBox { "-1" } else { stop }));
         if shape.kind.is_text() {
             describe_typing(&mut attributes, node, input_mode);
         }

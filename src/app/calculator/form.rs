@@ -106,15 +106,9 @@ fn more_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (cell, name): (Rect, &str), mod
         node.set_has_popup(egui::accesskit::HasPopup::Menu);
         node.set_expanded(is_open);
     });
-    Popup::menu(&response).show(|ui| {
-        menu::style(ui);
-        ui.spacing_mut().interact_size.y = cx.layout.control_height();
-        for asked in Mode::MORE {
-            if menu::item_ui(ui, asked.name(), true) {
-                cx.commands.push(Command::Ask(asked));
-            }
-        }
-    });
+    let entries = Mode::MORE.map(|asked| (asked.name(), None));
+    let asked = menu::ui(&response, cx.layout.control_height(), &entries).and_then(|at| Mode::MORE.get(at));
+    cx.commands.extend(asked.map(|&asked| Command::Ask(asked)));
     response.on_hover_cursor(egui::CursorIcon::PointingHand);
 }
 

@@ -11,5 +11,5 @@ pub use fonts::{INTER, regular, strong};
 pub use layout::{Layout, is_low};
 pub use palette::{Palette, palette};
 pub use sizes::*;
-pub use style::{card, force, install};
-pub use system_colors::SystemColors;
+pub use style::{card, color, install};
+pub use system_colors::{Colors, SystemColors};

@@ -116,26 +116,42 @@ pub(super) const DARK: Palette = Palette {
     ],
 };
 
-/// The id under which the memory of egui holds the palette that replaces those of both themes.
-fn forced_id() -> Id {
-    Id::unique("palette of system colors")
+/// What quiet text and lines become for who asks for more contrast: hints and examples 7:1, as WCAG 2.2 asks for at level AAA.
+const fn with_more_contrast(usual: Palette, muted: Color32, line: Color32) -> Palette {
+    Palette {
+        line,
+        border: muted,
+        muted,
+        stale: muted,
+        ..usual
+    }
 }
 
-/// Replaces the palettes of both themes by `palette`, or restores them.
-pub(super) fn force(ctx: &egui::Context, palette: Option<&'static Palette>) {
-    ctx.data_mut(|data| match palette {
-        Some(palette) => _ = data.insert_temp(forced_id(), palette),
-        None => data.remove::<&'static Palette>(forced_id()),
+/// The colors of the light theme with more contrast.
+pub(super) const LIGHT_CONTRAST: Palette =
+    with_more_contrast(LIGHT, Color32::from_rgb(0x2b, 0x33, 0x3d), Color32::from_rgb(0x84, 0x8d, 0x99));
+
+/// The colors of the dark theme with more contrast.
+pub(super) const DARK_CONTRAST: Palette =
+    with_more_contrast(DARK, Color32::from_rgb(0xd3, 0xd9, 0xe1), Color32::from_rgb(0x6c, 0x77, 0x85));
+
+/// The id under which the memory of egui holds the palettes of the light and the dark theme, where they are not the usual ones.
+fn chosen_id() -> Id {
+    Id::unique("chosen palettes")
+}
+
+/// Replaces the palettes of the light and the dark theme by these, or restores them.
+pub(super) fn choose(ctx: &egui::Context, palettes: Option<[&'static Palette; 2]>) {
+    ctx.data_mut(|data| match palettes {
+        Some(palettes) => _ = data.insert_temp(chosen_id(), palettes),
+        None => data.remove::<[&'static Palette; 2]>(chosen_id()),
     });
 }
 
 /// The colors of the theme that `ui` is drawn in.
 pub fn palette(ui: &Ui) -> &'static Palette {
-    match ui.data(|data| data.get_temp(forced_id())) {
-        Some(forced) => forced,
-        None if ui.visuals().dark_mode => &DARK,
-        None => &LIGHT,
-    }
+    let [light, dark] = ui.data(|data| data.get_temp(chosen_id())).unwrap_or([&LIGHT, &DARK]);
+    if ui.visuals().dark_mode { dark } else { light }
 }
 
 /// Contrast of two colors as WCAG 2.2 defines it, from their relative luminance.
@@ -152,6 +168,22 @@ pub(super) fn contrast(a: Color32, b: Color32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn who_asks_for_more_contrast_gets_seven_to_one_for_hints_and_examples() {
+        for (theme, p) in [("light", &LIGHT_CONTRAST), ("dark", &DARK_CONTRAST)] {
+            for (name, back) in [
+                ("page", p.page),
+                ("card", p.surface),
+                ("field", p.field),
+                ("highlight", p.highlight),
+            ] {
+                let got = contrast(p.muted, back);
+                assert!(got >= 7.0, "{theme}: a hint on {name} has {got:.2}");
+            }
+            assert!(contrast(p.border, p.field) >= 7.0 && contrast(p.line, p.surface) >= 3.0, "{theme}");
+        }
+    }
 
     #[test]
     fn text_and_borders_have_the_contrast_that_wcag_asks_for() {

@@ -1,26 +1,31 @@
 //! What egui is given: fonts, and the style of both themes.
 
 use super::fonts::{self, regular, strong};
-use super::palette::{self, DARK, LIGHT, Palette};
+use super::palette::{self, DARK, DARK_CONTRAST, LIGHT, LIGHT_CONTRAST, Palette};
 use super::sizes::{
     BODY_SIZE, CARD_PADDING, CARD_RADIUS, CONTROL_HEIGHT, CONTROL_RADIUS, HEADING_SIZE, MENU_HEIGHT, MENU_MARGIN, SMALL_SIZE, STEP,
 };
-use super::system_colors::SystemColors;
+use super::system_colors::Colors;
 use egui::{Color32, Context, CornerRadius, FontFamily, FontId, Frame, Margin, Shadow, Stroke, Style, TextStyle, Theme, vec2};
 
 /// Gives `ctx` the fonts and the style of both themes.
 pub fn install(ctx: &Context) {
     fonts::install(ctx);
-    force(ctx, None);
+    color(ctx, Colors::Usual);
 }
 
-/// Draws both themes in `colors`, or each in its own.
-pub fn force(ctx: &Context, colors: Option<SystemColors>) {
-    // Leaked, because the memory of egui holds a `'static` reference to it: a few bytes each time that a person chooses other colors.
-    let forced = colors.map(|colors| &*Box::leak(Box::new(colors.palette())));
-    palette::force(ctx, forced);
-    for (theme, palette) in [(Theme::Light, &LIGHT), (Theme::Dark, &DARK)] {
-        ctx.style_mut_of(theme, |style| set_style(style, forced.unwrap_or(palette)));
+/// Draws both themes in these colors.
+pub fn color(ctx: &Context, colors: Colors) {
+    let palettes = match colors {
+        Colors::Usual => None,
+        Colors::MoreContrast => Some([&LIGHT_CONTRAST, &DARK_CONTRAST]),
+        // Leaked, because the memory of egui holds a `'static` reference to it: a few bytes each time that a person chooses other ones.
+        Colors::Chosen(colors) => Some([&*Box::leak(Box::new(colors.palette())); 2]),
+    };
+    palette::choose(ctx, palettes);
+    let [light, dark] = palettes.unwrap_or([&LIGHT, &DARK]);
+    for (theme, palette) in [(Theme::Light, light), (Theme::Dark, dark)] {
+        ctx.style_mut_of(theme, |style| set_style(style, palette));
     }
 }
 

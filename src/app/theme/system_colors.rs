@@ -1,7 +1,19 @@
-//! Colors that a person has chosen for everything on the screen: high contrast.
+//! What a person wants of all colors on the screen.
 
 use super::palette::Palette;
 use egui::Color32;
+
+/// What a person wants of all colors on the screen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Colors {
+    /// Nothing else than what is usual.
+    #[default]
+    Usual,
+    /// Quiet text and lines that stand out more.
+    MoreContrast,
+    /// These for everything.
+    Chosen(SystemColors),
+}
 
 /// Colors that a person has chosen for everything on the screen, by the names that CSS has for them.
 ///

@@ -1,8 +1,9 @@
 //! A choice among the units of length.
 
+use super::menu::List;
 use crate::core::quantity::LengthUnit;
 use depth_text::names::Named as _;
-use egui::{ComboBox, Response, Ui};
+use egui::{AsIdSalt, Response, Ui};
 
 /// What can be chosen beside a length that is typed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,41 +44,42 @@ impl TypedUnit {
 }
 
 /// A choice among the units of results, named `name`.
-pub fn length_unit_choice_ui(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::Debug, name: &str, unit: &mut LengthUnit, width: f32) {
+pub fn length_unit_choice_ui(ui: &mut Ui, id: impl AsIdSalt, name: &str, unit: &mut LengthUnit, width: f32) {
     let mut chosen = TypedUnit::Length(*unit);
-    let combo = ComboBox::from_id_salt(id)
-        .width(width)
-        .selected_text(format!("in {}", unit.symbol()));
-    choice_ui(ui, combo, name, &mut chosen, OFFERED.into_iter().map(TypedUnit::Length));
+    let shown = format!("in {}", unit.symbol());
+    let units = OFFERED.map(TypedUnit::Length);
+    choice_ui(ui, id, (name, &shown, width), &mut chosen, &units);
     if let TypedUnit::Length(length) = chosen {
         *unit = length;
     }
 }
 
 /// A choice among the units of a typed length, named `name`.
-pub fn typed_unit_choice_ui(
-    ui: &mut Ui,
-    id: impl std::hash::Hash + std::fmt::Debug,
-    name: &str,
-    unit: &mut TypedUnit,
-    width: f32,
-) -> Response {
-    let combo = ComboBox::from_id_salt(id).width(width).selected_text(unit.symbol());
-    let units = OFFERED.into_iter().map(TypedUnit::Length);
-    choice_ui(ui, combo, name, unit, units.chain([TypedUnit::Squares]))
+pub fn typed_unit_choice_ui(ui: &mut Ui, id: impl AsIdSalt, name: &str, unit: &mut TypedUnit, width: f32) -> Response {
+    let shown = unit.symbol();
+    let mut units = OFFERED.map(TypedUnit::Length).to_vec();
+    units.push(TypedUnit::Squares);
+    choice_ui(ui, id, (name, shown, width), unit, &units)
 }
 
-fn choice_ui(ui: &mut Ui, combo: ComboBox, name: &str, unit: &mut TypedUnit, choices: impl Iterator<Item = TypedUnit>) -> Response {
-    combo
-        .wrap_mode(egui::TextWrapMode::Extend)
-        .show_ui(ui, |ui| {
-            for choice in choices {
-                // Closed explicitly: egui does so only for a click of the pointer.
-                if ui.selectable_value(unit, choice, choice.name()).clicked() {
-                    ui.close();
-                }
-            }
-        })
-        .response
-        .accessible_name(name)
+fn choice_ui(
+    ui: &mut Ui,
+    id: impl AsIdSalt,
+    (name, shown, width): (&str, &str, f32),
+    unit: &mut TypedUnit,
+    choices: &[TypedUnit],
+) -> Response {
+    let names: Vec<String> = choices.iter().map(|choice| choice.name()).collect();
+    let list = List {
+        name,
+        shown,
+        width,
+        names: &names,
+        chosen: choices.iter().position(|choice| choice == unit),
+    };
+    let (response, now) = list.ui(ui, id);
+    if let Some(&choice) = now.and_then(|at| choices.get(at)) {
+        *unit = choice;
+    }
+    response
 }

@@ -5,7 +5,7 @@ use wasm_bindgen::closure::Closure;
 
 use super::inbox::Inbox;
 use super::page;
-use crate::app::{Event, SystemColors};
+use crate::app::{Colors, Event, SystemColors};
 
 /// Adds the events of the browser to `inbox`, and at once the link with which the page was opened and the forced colors.
 pub(super) fn listen(ctx: &egui::Context, inbox: &Inbox) {
@@ -42,12 +42,12 @@ fn listen_to_history(window: &web_sys::Window, inbox: &Inbox) {
 }
 
 fn listen_to_colors(window: &web_sys::Window, inbox: &Inbox) {
-    inbox.add(Event::Colors(system_colors()));
+    inbox.add(Event::Colors(colors()));
     // Other forced colors can be dark or light as well, and some browsers send only that event.
-    for query in ["(forced-colors: active)", "(prefers-color-scheme: dark)"] {
+    for query in [FORCED, MORE_CONTRAST, "(prefers-color-scheme: dark)"] {
         if let Ok(Some(query)) = window.match_media(query) {
             let inbox = inbox.clone();
-            on(&query, "change", move |_| inbox.add(Event::Colors(system_colors())));
+            on(&query, "change", move |_| inbox.add(Event::Colors(colors())));
         }
     }
 }
@@ -103,11 +103,21 @@ fn link() -> Option<String> {
     Some(fragment)
 }
 
-/// The system colors, where the browser uses forced colors; read from the computed style of a temporary element.
-fn system_colors() -> Option<SystemColors> {
-    if !page::matches("(forced-colors: active)") {
-        return None;
+const FORCED: &str = "(forced-colors: active)";
+const MORE_CONTRAST: &str = "(prefers-contrast: more)";
+
+/// What the person wants of the colors, as far as the browser says.
+fn colors() -> Colors {
+    let chosen = page::matches(FORCED).then(system_colors).flatten();
+    match chosen {
+        Some(colors) => Colors::Chosen(colors),
+        None if page::matches(MORE_CONTRAST) => Colors::MoreContrast,
+        None => Colors::Usual,
     }
+}
+
+/// The system colors, read from the computed style of a temporary element.
+fn system_colors() -> Option<SystemColors> {
     let window = web_sys::window()?;
     let document = window.document()?;
     let probe: web_sys::HtmlElement = document.create_element("span").ok()?.dyn_into().ok()?;

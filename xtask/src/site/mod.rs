@@ -29,6 +29,8 @@ const COPIES: &[(&str, &str)] = &[
     ("icons/icon-512.png", "icons/icon-512.png"),
     ("icons/maskable-192.png", "icons/maskable-192.png"),
     ("icons/maskable-512.png", "icons/maskable-512.png"),
+    ("screenshot.png", "icons/screenshot.png"),
+    ("screenshot-phone.png", "icons/screenshot-phone.png"),
     ("icons/og.png", "og.png"),
     ("fonts/OFL.txt", "fonts/OFL.txt"),
     ("fonts/DejaVu-LICENSE.txt", "fonts/DejaVu-LICENSE.txt"),

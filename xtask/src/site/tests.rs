@@ -145,7 +145,16 @@ fn the_service_worker_keeps_every_file_that_a_visitor_needs() {
     }
     let listed: BTreeSet<String> = pairs.into_iter().map(|(name, _)| name).collect();
     let mut there: BTreeSet<String> = names(&dist.0).unwrap().into_iter().collect();
-    for not_for_visitors in ["sw.js", "_headers", "licenses.html", "og.png", "robots.txt", "sitemap.xml"] {
+    for not_for_visitors in [
+        "sw.js",
+        "_headers",
+        "licenses.html",
+        "icons/screenshot.png",
+        "icons/screenshot-phone.png",
+        "og.png",
+        "robots.txt",
+        "sitemap.xml",
+    ] {
         assert!(there.remove(not_for_visitors), "{not_for_visitors}");
     }
     assert!(there.remove("index.html") && there.insert("./".to_owned()));

@@ -11,7 +11,16 @@ use super::folder::{HEADERS, LICENSES_PAGE, PROGRAM_PAGE, WORKER, names};
 use super::html::replace_once;
 
 /// What a visitor's browser does not ask for, unless the visitor does. The service worker keeps everything else.
-const NOT_FOR_VISITORS: &[&str] = &[WORKER, HEADERS, LICENSES_PAGE, "og.png", "robots.txt", "sitemap.xml"];
+const NOT_FOR_VISITORS: &[&str] = &[
+    WORKER,
+    HEADERS,
+    LICENSES_PAGE,
+    "icons/screenshot.png",
+    "icons/screenshot-phone.png",
+    "og.png",
+    "robots.txt",
+    "sitemap.xml",
+];
 
 /// A hash of every byte of the site.
 pub(super) fn build_id(dist: &Path, worker: &str) -> Result<String, String> {

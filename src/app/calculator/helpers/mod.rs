@@ -9,10 +9,11 @@ use crate::app::saved::{Settings, Ways};
 use crate::app::sentences::Hint;
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
+use crate::app::widgets::menu::List;
 use crate::app::widgets::{scroll, symbols, text};
 use crate::core::q_matrix::StereoGeometry;
 use crate::core::quantity::{Length, LengthUnit};
-use depth_text::choices::{MATCHING_ERRORS, SENSOR_FORMATS};
+use depth_text::choices::{MATCHING_ERRORS, SENSOR_FORMATS, SensorFormat};
 use depth_text::entry::Entry;
 use depth_text::fields;
 use depth_text::note::{Issue, Note};
@@ -20,7 +21,7 @@ use depth_text::number::plain;
 use depth_text::reading::{self, Reading};
 use depth_text::ways::{BASELINES, DISPARITIES, FOCAL_LENGTHS, Way, WayResult};
 use egui::text::TextFormat;
-use egui::{Button, ComboBox, Stroke, Ui, vec2};
+use egui::{Button, Stroke, Ui, vec2};
 
 const fn title(helper: Helper) -> &'static str {
     match helper {
@@ -147,19 +148,17 @@ impl Solved {
 /// The choice among the ways of `helper`. Returns the chosen one; `None` is the Q matrix.
 fn way_choice_ui(ui: &mut Ui, helper: Helper, made: &mut Ways) -> Option<&'static Way> {
     let before = chosen(helper, made);
-    let mut now = before;
-    ComboBox::from_id_salt(("way", key(helper)))
-        .width(ui.available_width())
-        .selected_text(now.1)
-        .show_ui(ui, |ui| {
-            for choice in choices(helper) {
-                if ui.selectable_value(&mut now, choice, choice.1).clicked() {
-                    ui.close();
-                }
-            }
-        })
-        .response
-        .accessible_name("What is known");
+    let all = choices(helper);
+    let names: Vec<String> = all.iter().map(|choice| choice.1.to_owned()).collect();
+    let list = List {
+        name: "What is known",
+        shown: before.1,
+        width: ui.available_width(),
+        names: &names,
+        chosen: all.iter().position(|choice| *choice == before),
+    };
+    let (_, now) = list.ui(ui, ("way", key(helper)));
+    let now = now.and_then(|at| all.get(at)).copied().unwrap_or(before);
     if now != before {
         made.insert(key(helper).to_owned(), now.0.to_owned());
     }
@@ -208,20 +207,19 @@ fn use_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
 }
 
 fn sensor_formats_ui(ui: &mut Ui, entry: &mut Entry) {
-    ComboBox::from_id_salt("sensor formats")
-        .selected_text("Common formats…")
-        .width(theme::SENSOR_FORMATS_WIDTH)
-        .show_ui(ui, |ui| {
-            for format in &SENSOR_FORMATS {
-                let name = format!("{}: {} × {} mm", format.name, plain(format.width_mm), plain(format.height_mm));
-                if ui.selectable_label(false, name).clicked() {
-                    *entry = Entry::new(plain(format.width_mm), Some(LengthUnit::Millimeter));
-                    ui.close();
-                }
-            }
-        })
-        .response
-        .accessible_name("Common sensor formats");
+    let name = |format: &SensorFormat| format!("{}: {} × {} mm", format.name, plain(format.width_mm), plain(format.height_mm));
+    let names: Vec<String> = SENSOR_FORMATS.iter().map(name).collect();
+    let list = List {
+        name: "Common sensor formats",
+        shown: "Common formats…",
+        width: theme::SENSOR_FORMATS_WIDTH,
+        names: &names,
+        chosen: None,
+    };
+    let (_, now) = list.ui(ui, "sensor formats");
+    if let Some(format) = now.and_then(|at| SENSOR_FORMATS.get(at)) {
+        *entry = Entry::new(plain(format.width_mm), Some(LengthUnit::Millimeter));
+    }
     ui.add_space(2.0 * theme::STEP);
 }
 
@@ -230,22 +228,25 @@ fn typical_errors_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     ui.add_space(2.0 * theme::STEP);
     text::caption_ui(ui, Hint::MatchingErrors.to_string());
     let sigma = &mut cx.session.inputs.entry_mut(fields::DISPARITY).sigma;
-    let selected = MATCHING_ERRORS.iter().find(|(px, _)| *sigma == plain(*px));
-    let name = |(px, source): &(f64, &str)| format!("± {} px: {source}", plain(*px));
-    ComboBox::from_id_salt("typical matching errors")
-        .width(ui.available_width())
-        .selected_text(selected.map_or_else(|| "Typical matching errors…".to_owned(), name))
-        .show_ui(ui, |ui| {
-            for error in &MATCHING_ERRORS {
-                if ui.selectable_label(selected == Some(error), name(error)).clicked() {
-                    *sigma = plain(error.0);
-                    cx.commands.push(Command::Settle);
-                    ui.close();
-                }
-            }
-        })
-        .response
-        .accessible_name("Typical matching errors");
+    let names: Vec<String> = MATCHING_ERRORS
+        .iter()
+        .map(|(px, source)| format!("± {} px: {source}", plain(*px)))
+        .collect();
+    let chosen = MATCHING_ERRORS.iter().position(|(px, _)| *sigma == plain(*px));
+    let list = List {
+        name: "Typical matching errors",
+        shown: chosen
+            .and_then(|at| names.get(at))
+            .map_or("Typical matching errors…", String::as_str),
+        width: ui.available_width(),
+        names: &names,
+        chosen,
+    };
+    let (_, now) = list.ui(ui, "typical matching errors");
+    if let Some((px, _)) = now.and_then(|at| MATCHING_ERRORS.get(at)) {
+        *sigma = plain(*px);
+        cx.commands.push(Command::Settle);
+    }
 }
 
 fn use_button_ui(ui: &mut Ui, label: &str, enabled: bool) -> bool {
