@@ -94,6 +94,35 @@ pub(crate) fn diff(old: &Page, new: &Page) -> Vec<Edit> {
     edits
 }
 
+/// Which of these may stay where they are while the others are moved, by the places that they had: as many as can be, in rising order.
+/// `None`: it was elsewhere. Source: patience sorting finds a longest increasing subsequence, Fredman 1975.
+pub(crate) fn in_order(before: &[Option<usize>]) -> Vec<bool> {
+    // For each length, the run of that length that ends earliest: where in `before` it ends, and what comes before each end.
+    let mut ends: Vec<(usize, usize)> = Vec::new();
+    let mut previous: Vec<Option<usize>> = Vec::new();
+    for (at, place) in before.iter().enumerate() {
+        let Some(place) = *place else {
+            previous.push(None);
+            continue;
+        };
+        let length = ends.partition_point(|(end, _)| *end < place);
+        previous.push(length.checked_sub(1).and_then(|shorter| ends.get(shorter)).map(|(_, at)| *at));
+        match ends.get_mut(length) {
+            Some(end) => *end = (place, at),
+            None => ends.push((place, at)),
+        }
+    }
+    let mut stays = vec![false; before.len()];
+    let mut last = ends.last().map(|(_, at)| *at);
+    while let Some(at) = last {
+        if let Some(stay) = stays.get_mut(at) {
+            *stay = true;
+        }
+        last = previous.get(at).copied().flatten();
+    }
+    stays
+}
+
 /// Has one of these become another kind of element?
 fn remade(old: &Page, new: &Page, ids: &[NodeId]) -> bool {
     ids.iter().any(|id| match (old.get(*id), new.get(*id)) {

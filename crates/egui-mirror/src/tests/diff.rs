@@ -214,3 +214,42 @@ fn the_edits_lead_from_any_page_to_any_other() {
     }
     assert!(edits > 10_000, "the walk was too short to mean anything: {edits}");
 }
+
+#[test]
+fn as_few_as_possible_are_moved_and_those_that_stay_are_in_order() {
+    let stay = |before: &[Option<usize>]| -> Vec<usize> {
+        let stays = crate::diff::in_order(before);
+        before
+            .iter()
+            .zip(stays)
+            .filter(|(_, stays)| *stays)
+            .filter_map(|(place, _)| *place)
+            .collect()
+    };
+    let all = |places: &[usize]| places.iter().copied().map(Some).collect::<Vec<_>>();
+    // The first of five goes to the end: it alone is moved.
+    assert_eq!(stay(&all(&[1, 2, 3, 4, 0])), [1, 2, 3, 4]);
+    assert_eq!(stay(&all(&[4, 0, 1, 2, 3])), [0, 1, 2, 3]);
+    assert_eq!(stay(&[Some(0), None, Some(1), None]), [0, 1]);
+    assert_eq!(stay(&[]), []);
+    // Against all subsets of every order of six.
+    let mut order: Vec<usize> = (0..6).collect();
+    for _ in 0..720 {
+        let kept_by = |subset: u32| -> Vec<usize> { (0..6).filter(|at| subset & (1 << at) != 0).map(|at| order[at]).collect() };
+        let longest = (0..64).map(kept_by).filter(|kept| kept.is_sorted()).map(|kept| kept.len()).max();
+        let kept = stay(&all(&order));
+        assert!(kept.is_sorted());
+        assert_eq!(Some(kept.len()), longest, "{order:?}");
+        next_order(&mut order);
+    }
+}
+
+/// The next order of these, in that of the dictionary.
+fn next_order(order: &mut [usize]) {
+    let Some(turn) = (1..order.len()).rev().find(|at| order[at - 1] < order[*at]) else {
+        return order.reverse();
+    };
+    let swap = (turn..order.len()).rev().find(|at| order[*at] > order[turn - 1]).unwrap();
+    order.swap(turn - 1, swap);
+    order[turn..].reverse();
+}

@@ -9,8 +9,8 @@ use web_sys::{Document, Element, HtmlElement, HtmlInputElement, HtmlTextAreaElem
 use super::host;
 use super::lettering::Measure;
 use super::signals::{COMPOSING, QUIET, has_value_waiting};
-use crate::diff::Edit;
-use crate::element::{Place, about_id, element_id};
+use crate::diff::{Edit, in_order};
+use crate::element::{Place, about_id, element_id, node_id};
 
 /// Every element lies where it is painted. The size of the text keeps phones from zooming in on a field.
 const STYLE: &str = "position:absolute;box-sizing:border-box;margin:0;padding:0;border:0;min-width:0;min-height:0;\
@@ -147,7 +147,8 @@ impl Elements {
         Ok(())
     }
 
-    /// Puts the children into an element, or into the page itself. What is in its place already is not moved.
+    /// Puts the children into an element, or into the page itself, and moves as few as possible of those that are there: the browser
+    /// takes the focus and the selection from what is moved.
     fn set_children(&self, parent: Option<NodeId>, children: &[NodeId]) -> Result<(), JsValue> {
         let parent: &Node = match parent {
             Some(id) => match self.get(id) {
@@ -156,14 +157,22 @@ impl Elements {
             },
             None => &self.content,
         };
-        let mut next = parent.first_child();
-        for child in children.iter().filter_map(|id| self.get(*id)) {
-            let child: &Node = child;
-            if next.as_ref() == Some(child) {
-                next = child.next_sibling();
-            } else {
-                parent.insert_before(child, next.as_ref())?;
+        let mut places: HashMap<NodeId, usize> = HashMap::new();
+        let mut there = parent.first_child();
+        while let Some(child) = there {
+            if let Some(id) = child.dyn_ref::<Element>().and_then(|element| node_id(&element.id())) {
+                places.insert(id, places.len());
             }
+            there = child.next_sibling();
+        }
+        let before: Vec<Option<usize>> = children.iter().map(|id| places.get(id).copied()).collect();
+        let mut next: Option<&Node> = None;
+        for (id, stays) in children.iter().zip(in_order(&before)).rev() {
+            let Some(child) = self.get(*id) else { continue };
+            if !stays {
+                parent.insert_before(child, next)?;
+            }
+            next = Some(child);
         }
         Ok(())
     }
