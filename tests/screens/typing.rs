@@ -296,6 +296,14 @@ fn a_correction_takes_a_click_only_when_somebody_can_have_seen_it() {
         for _ in 0..frames_seen {
             program.harness.step();
         }
+        // Nor does a browser's Tab stop at it before.
+        let is_stop = program
+            .harness
+            .get_by_label("Use 1000")
+            .accesskit_node()
+            .data()
+            .supports_action(Action::Focus);
+        assert_eq!(is_stop, frames_seen > 0);
         let both = fix.intersect(program.input(B).rect()).center();
         at_once(&mut program, [click(both), typed("100")].concat());
         [program.value(FX), program.value(B)]

@@ -10,12 +10,6 @@ use std::time::Duration;
 /// What the card had in the last frame, while it is open.
 #[derive(Clone, Copy)]
 pub struct Open {
-    /// The corrections in it.
-    fixes: u64,
-    /// The time of the frame that drew them first, s.
-    drawn: f64,
-    /// The time of the frame after that, s: since then they are on the screen.
-    seen: Option<f64>,
     pub card: Rect,
     /// The focus is on a correction: on the card or in the line.
     pub fix_has_focus: bool,
@@ -33,6 +27,8 @@ pub struct Card<'a> {
     /// The field that it is about, and the line below that.
     pub field: Rect,
     pub line: Rect,
+    /// What a click and the key Tab can do with the corrections.
+    pub sense: Sense,
 }
 
 /// The measures of a card.
@@ -49,18 +45,7 @@ impl Card<'_> {
     }
 
     /// Draws the card.
-    pub fn ui(&self, ui: &Ui, id: Id, before: Option<Open>, commands: &mut Vec<Command>) -> Open {
-        let now = ui.input(|input| input.time);
-        let fixes = egui::util::hash(self.fixes.iter().map(|(_, fix)| fix.label()).collect::<Vec<_>>());
-        let same = before.filter(|open| open.fixes == fixes);
-        let drawn = same.map_or(now, |open| open.drawn);
-        let seen = same.and_then(|open| open.seen.or((now > drawn).then_some(now)));
-        // Who clicks into a field while a correction appears over it means the field, however long the frames are.
-        let remaining = seen.map_or(theme::NOTE_CARD_DELAY, |since| since + theme::NOTE_CARD_DELAY - now);
-        if remaining > 0.0 {
-            let wait = if seen.is_some() { remaining } else { 0.0 };
-            ui.ctx().request_repaint_after(Duration::from_secs_f64(wait));
-        }
+    pub fn ui(&self, ui: &Ui, id: Id, commands: &mut Vec<Command>) -> Open {
         let measures = self.measures(ui);
         let content = measures.card - theme::NOTE_CARD_MARGIN;
         // As large as the corrections: all around them the pointer meets what is below the card.
@@ -68,7 +53,7 @@ impl Card<'_> {
             .order(Order::Foreground)
             .fixed_pos(content.min + vec2(0.0, measures.texts_height))
             .constrain(false)
-            .interactable(remaining <= 0.0 && !self.fixes.is_empty())
+            .interactable(self.sense.interactive() && !self.fixes.is_empty())
             .sense(Sense::hover())
             .fade_in(false)
             .accessibility_parent(ui.unique_id());
@@ -82,9 +67,6 @@ impl Card<'_> {
             })
             .inner;
         Open {
-            fixes,
-            drawn,
-            seen,
             card: measures.card,
             fix_has_focus,
         }
@@ -94,7 +76,7 @@ impl Card<'_> {
         let mut has_focus = false;
         for (note, fix) in &self.fixes {
             let name = RichText::new(fix.label()).size(theme::SMALL_SIZE);
-            let response = ui.add(Button::new(name).min_size(vec2(0.0, height)));
+            let response = ui.add(Button::new(name).sense(self.sense).min_size(vec2(0.0, height)));
             has_focus |= response.has_focus();
             if response.clicked() {
                 commands.push(command(note, fix));
@@ -186,6 +168,42 @@ impl Card<'_> {
             at.y += text.size().y + theme::NOTE_CARD_GAP;
         }
     }
+}
+
+/// When corrections came on the screen.
+#[derive(Clone, Copy)]
+struct Shown {
+    /// Which they are.
+    fixes: u64,
+    /// The time of the frame that drew them first, s.
+    drawn: f64,
+    /// The time of the frame after that, s: since then they are on the screen.
+    seen: Option<f64>,
+}
+
+/// What a click and the key Tab can do with these corrections of the note `id`, which are drawn now: nothing, until somebody can have seen
+/// them. Who clicks into a field while a correction appears over it means the field, and who types 110 and goes on with Tab does not mean
+/// what was to be corrected about the 1, however long the frames are.
+pub fn sense_of(ui: &Ui, id: Id, fixes: &[(&Note, &Fix)]) -> Sense {
+    let key = id.with("corrections");
+    if fixes.is_empty() {
+        ui.data_mut(|data| data.remove::<Shown>(key));
+        return Sense::hover();
+    }
+    let now = ui.input(|input| input.time);
+    let fixes = egui::util::hash(fixes.iter().map(|(_, fix)| fix.label()).collect::<Vec<_>>());
+    let before: Option<Shown> = ui.data(|data| data.get_temp(key));
+    let same = before.filter(|shown| shown.fixes == fixes);
+    let drawn = same.map_or(now, |shown| shown.drawn);
+    let seen = same.and_then(|shown| shown.seen.or((now > drawn).then_some(now)));
+    ui.data_mut(|data| data.insert_temp(key, Shown { fixes, drawn, seen }));
+    let remaining = seen.map_or(theme::NOTE_CARD_DELAY, |since| since + theme::NOTE_CARD_DELAY - now);
+    if remaining <= 0.0 {
+        return Sense::click();
+    }
+    let wait = if seen.is_some() { remaining } else { 0.0 };
+    ui.ctx().request_repaint_after(Duration::from_secs_f64(wait));
+    Sense::hover()
 }
 
 /// What a click on the correction `fix` of `note` asks for.

@@ -1,12 +1,12 @@
 //! The line below a field: its hint, or what is wrong with it. It has the same height in any case, so that nothing moves while
 //! somebody types. What does not fit into it is shown on a card over what follows, while the field is used or pointed at.
 
-use super::note_card::{Card, Open, command};
+use super::note_card::{self, Card, Open, command};
 use super::{symbols, text};
 use crate::app::command::Command;
 use crate::app::theme;
 use depth_text::note::{Fix, Note, Part, Severity};
-use egui::{Align, Button, Color32, Galley, Id, Label, Layout, Rect, Response, RichText, Shape, Stroke, Ui, UiBuilder, Vec2, vec2};
+use egui::{Align, Button, Color32, Galley, Id, Label, Layout, Rect, Response, RichText, Sense, Shape, Stroke, Ui, UiBuilder, Vec2, vec2};
 use std::sync::Arc;
 
 /// The line below a field.
@@ -66,25 +66,19 @@ impl NoteLine<'_> {
             };
             text::describe_by_note(ui, &said, note.severity, *about);
         }
-        let mut fix_has_focus = false;
-        if let Some((fix, _)) = &inline {
-            let response = self.inline_fix_ui(ui, fix_rect, fix);
-            fix_has_focus |= response.has_focus();
-            if response.clicked() {
-                commands.push(command(first, fix));
-            }
-        }
-        let card = Card {
+        let fixes = self.fixes();
+        let mut card = Card {
             texts: if is_cut || self.notes.len() > 1 {
                 self.notes.iter().map(|(note, _)| *note).collect()
             } else {
                 Vec::new()
             },
-            fixes: if inline.is_some() { Vec::new() } else { self.fixes() },
+            fixes: if inline.is_some() { Vec::new() } else { fixes.clone() },
             color: text::note_color(ui, first.severity),
             is_of_sigma: first.part == Part::Sigma,
             field: self.field,
             line: self.line,
+            sense: Sense::hover(),
         };
         if !card.is_empty() && ui.rect_contains_pointer(text_rect) && ui.input(|input| input.pointer.primary_clicked()) {
             // As a click on a label does on a page.
@@ -92,8 +86,18 @@ impl NoteLine<'_> {
             ui.ctx().request_repaint();
         }
         let is_open = !card.is_empty() && ui.clip_rect().contains(line.center()) && self.is_wanted(ui, text_rect, before);
+        let are_drawn = is_open || inline.is_some();
+        card.sense = note_card::sense_of(ui, self.id, if are_drawn { &fixes } else { &[] });
+        let mut fix_has_focus = false;
+        if let Some((fix, _)) = &inline {
+            let response = self.inline_fix_ui(ui, fix_rect, fix, card.sense);
+            fix_has_focus |= response.has_focus();
+            if response.clicked() {
+                commands.push(command(first, fix));
+            }
+        }
         let now = is_open.then(|| {
-            let mut open = card.ui(ui, self.key(), before, commands);
+            let mut open = card.ui(ui, self.key(), commands);
             open.fix_has_focus |= fix_has_focus;
             open
         });
@@ -135,7 +139,7 @@ impl NoteLine<'_> {
         ui.add(Label::new(words).selectable(false).show_tooltip_when_elided(false))
     }
 
-    fn inline_fix_ui(&self, ui: &mut Ui, rect: Rect, fix: &Fix) -> Response {
+    fn inline_fix_ui(&self, ui: &mut Ui, rect: Rect, fix: &Fix, sense: Sense) -> Response {
         let place = UiBuilder::new()
             .scope_id(self.id.with("correction"))
             .max_rect(rect)
@@ -147,7 +151,7 @@ impl NoteLine<'_> {
             .size(theme::SMALL_SIZE)
             .underline()
             .color(theme::palette(&ui).blue);
-        ui.add(Button::new(name).frame(false).min_size(vec2(0.0, rect.height())))
+        ui.add(Button::new(name).frame(false).sense(sense).min_size(vec2(0.0, rect.height())))
     }
 }
 
