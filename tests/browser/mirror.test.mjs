@@ -339,6 +339,9 @@ it('only what has changed touches the page, and nothing when nothing has', async
   assert.deepEqual(changed.filter((one) => one.startsWith('made:')), [], 'what shows another number is the same element');
   await page.fill('Object width in image (w_img)', 'seven');
   await page.says(/is not a number|cannot|above zero/);
+  // Once the typing has paused.
+  const width = await page.field('Object width in image (w_img)');
+  await until('the field called wrong', async () => (await width.getAttribute('aria-invalid')) === 'true');
   const made = await touched(/^made:/);
   assert.ok(made.length > 0 && made.length < 5, `an error is an element, the rest of the form is not made anew: ${made}`);
   // A pointer that moves is a pass in which nothing is another.

@@ -114,7 +114,7 @@ pub const BUTTON_ROW_WIDTH: f32 = 340.0;
 pub const DISCLOSURE_WIDTH: f32 = 11.0;
 /// Links in the form.
 pub const LINK_SIZE: f32 = 13.0;
-/// How long corrections are on the screen before a click can meet them, s.
+/// How long corrections are on the screen before a click or the key Tab can meet them, s.
 pub const NOTE_CARD_DELAY: f64 = 0.3;
 /// Width of the choice of a unit beside a field.
 pub const UNIT_WIDTH: f32 = 72.0;

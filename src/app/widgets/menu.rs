@@ -32,11 +32,9 @@ pub fn ui(owner: &Response, height: f32, entries: &[(&str, Option<bool>)]) -> Op
         let mut drawn = Entries::default();
         let mut chosen = None;
         for (at, (name, is_chosen)) in entries.iter().enumerate() {
-            let button = Button::selectable(*is_chosen == Some(true), *name);
-            let button = if is_chosen.is_some() {
-                button
-            } else {
-                Button::new(*name).frame_when_inactive(false)
+            let button = match *is_chosen {
+                Some(is_chosen) => Button::selectable(is_chosen, *name),
+                None => Button::new(*name).frame_when_inactive(false),
             };
             let response = entry_ui(ui, button, true);
             if response.clicked() {
