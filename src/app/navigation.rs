@@ -59,8 +59,10 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
                 tabs_ui(ui, cx, &others);
             }
             Offer::Menu => {
-                space(ui, tab_width(ui, cx.settings.screen) + theme::ARROW_WIDTH);
-                menu_ui(ui, cx);
+                let width = tab_width(ui, cx.settings.screen) + theme::ARROW_WIDTH;
+                let is_named = width <= room;
+                space(ui, if is_named { width } else { side });
+                menu_ui(ui, cx, is_named);
             }
         }
         buttons_ui(ui, cx, side);
@@ -174,12 +176,13 @@ fn tab_ui(ui: &Ui, rect: Rect, name: &str, (is_shown, is_hovered): (bool, bool))
     }
 }
 
-/// The screens in a menu.
-fn menu_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+/// The screens in a menu, whose button names the one that is shown where there is room for that.
+fn menu_ui(ui: &mut Ui, cx: &mut AppContext<'_>, is_named: bool) {
     let height = cx.layout.icon_size();
     let name = cx.settings.screen.name();
-    let button = Button::new(RichText::new(format!("{name} ▾")).font(theme::strong(theme::BODY_SIZE))).frame_when_inactive(false);
-    let response = ui.add(button.min_size(vec2(0.0, height)));
+    let words = if is_named { format!("{name} ▾") } else { "▾".to_owned() };
+    let button = Button::new(RichText::new(words).font(theme::strong(theme::BODY_SIZE))).frame_when_inactive(false);
+    let response = ui.add(button.min_size(vec2(if is_named { 0.0 } else { height }, height)));
     let is_open = Popup::is_id_open(ui.ctx(), Popup::default_response_id(&response));
     ui.accesskit_node_builder(response.id, |node| {
         node.set_has_popup(egui::accesskit::HasPopup::Menu);

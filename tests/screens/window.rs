@@ -3,8 +3,8 @@
 use crate::machine::Machine;
 use crate::program::{PHONE, Program, W_IMG};
 use depth_text::report::strip::Mode;
-use egui::accesskit::Role;
-use egui::vec2;
+use egui::accesskit::{Action, Role};
+use egui::{Key, Modifiers, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 #[test]
@@ -108,4 +108,26 @@ fn nothing_is_computed_while_nothing_happens() {
         "{:?}",
         program.harness.ctx.repaint_causes()
     );
+}
+
+#[test]
+fn everything_is_within_the_narrowest_and_lowest_windows() {
+    for size in [vec2(320.0, 640.0), vec2(320.0, 256.0), vec2(320.0, 200.0), vec2(640.0, 400.0)] {
+        for screen in ["Calculator", "Learn"] {
+            let mut program = Program::on(Machine::default(), size);
+            if screen == "Learn" {
+                program.harness.key_press_modifiers(Modifiers::ALT, Key::Num2);
+                program.harness.run();
+            }
+            let wide: Vec<String> = program
+                .harness
+                .root()
+                .children_recursive()
+                .filter(|node| node.accesskit_node().data().supports_action(Action::Focus))
+                .filter(|node| node.rect().left() < 0.0 || node.rect().right() > size.x)
+                .map(|node| format!("{:?} {:?}", node.accesskit_node().label(), node.rect()))
+                .collect();
+            assert!(wide.is_empty(), "{screen} in {size}: {wide:#?}");
+        }
+    }
 }

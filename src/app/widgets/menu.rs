@@ -15,7 +15,8 @@ pub fn item_ui(ui: &mut Ui, name: &str, is_enabled: bool) -> bool {
 }
 
 fn entry_ui(ui: &mut Ui, button: Button<'_>, is_enabled: bool) -> Response {
-    let size = vec2(ui.available_width(), ui.spacing().interact_size.y.min(theme::CONTROL_HEIGHT_TOUCH));
+    // A menu makes all its entries as wide as the widest.
+    let size = vec2(0.0, ui.spacing().interact_size.y.min(theme::CONTROL_HEIGHT_TOUCH));
     let response = ui.add_enabled(is_enabled, button.min_size(size));
     if response.clicked() {
         ui.close();

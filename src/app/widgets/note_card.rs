@@ -27,7 +27,7 @@ pub struct Card<'a> {
     /// The field that it is about, and the line below that.
     pub field: Rect,
     pub line: Rect,
-    /// What a click and the key Tab can do with the corrections.
+    /// How the corrections take a click and the key Tab.
     pub sense: Sense,
 }
 
@@ -53,7 +53,7 @@ impl Card<'_> {
             .order(Order::Foreground)
             .fixed_pos(content.min + vec2(0.0, measures.texts_height))
             .constrain(false)
-            .interactable(self.sense.interactive() && !self.fixes.is_empty())
+            .interactable(self.sense.is_focusable() && !self.fixes.is_empty())
             .sense(Sense::hover())
             .fade_in(false)
             .accessibility_parent(ui.unique_id());
@@ -181,14 +181,14 @@ struct Shown {
     seen: Option<f64>,
 }
 
-/// What a click and the key Tab can do with these corrections of the note `id`, which are drawn now: nothing, until somebody can have seen
-/// them. Who clicks into a field while a correction appears over it means the field, and who types 110 and goes on with Tab does not mean
+/// How these corrections of the note `id`, which are drawn now, take a click and the key Tab: as what cannot have the focus, until somebody
+/// can have seen them. Who clicks into a field while a correction appears over it means the field, and who types 110 and goes on with Tab does not mean
 /// what was to be corrected about the 1, however long the frames are.
 pub fn sense_of(ui: &Ui, id: Id, fixes: &[(&Note, &Fix)]) -> Sense {
     let key = id.with("corrections");
     if fixes.is_empty() {
         ui.data_mut(|data| data.remove::<Shown>(key));
-        return Sense::hover();
+        return Sense::CLICK;
     }
     let now = ui.input(|input| input.time);
     let fixes = egui::util::hash(fixes.iter().map(|(_, fix)| fix.label()).collect::<Vec<_>>());
@@ -203,7 +203,7 @@ pub fn sense_of(ui: &Ui, id: Id, fixes: &[(&Note, &Fix)]) -> Sense {
     }
     let wait = if seen.is_some() { remaining } else { 0.0 };
     ui.ctx().request_repaint_after(Duration::from_secs_f64(wait));
-    Sense::hover()
+    Sense::CLICK
 }
 
 /// What a click on the correction `fix` of `note` asks for.

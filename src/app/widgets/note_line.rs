@@ -78,7 +78,7 @@ impl NoteLine<'_> {
             is_of_sigma: first.part == Part::Sigma,
             field: self.field,
             line: self.line,
-            sense: Sense::hover(),
+            sense: Sense::CLICK,
         };
         if !card.is_empty() && ui.rect_contains_pointer(text_rect) && ui.input(|input| input.pointer.primary_clicked()) {
             // As a click on a label does on a page.
