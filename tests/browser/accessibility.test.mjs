@@ -211,6 +211,32 @@ it('the checkers find nothing wrong with the offer of a new version', { engines:
   assert.deepEqual(await violations(page), []);
 });
 
+for (const [width, height] of [
+  [320, 200],
+  [320, 256],
+  [640, 400],
+]) {
+  it(`whatever has the keyboard is whole in a window of ${width} × ${height}`, { needs: ['leave a page with Tab', 'show a page as narrow as a phone'] }, async (test) => {
+    const page = await bench.page(test);
+    await page.setScreen({ width, height });
+    await page.start();
+    const names = [];
+    for (let steps = 0; steps < 60; steps += 1) {
+      const now = await until(`what has the keyboard after ${names.at(-1)} in sight`, () =>
+        page.run(`
+          const active = document.activeElement;
+          if (active === document.body || !document.hasFocus()) return 'outside';
+          const { top, bottom, left, right } = active.getBoundingClientRect();
+          return top >= 0 && left >= 0 && bottom <= innerHeight && right <= innerWidth && (active.getAttribute('aria-label') || active.textContent);`),
+      );
+      if (now === 'outside') break;
+      names.push(now);
+      await page.type(Key.TAB);
+    }
+    assert.ok(names.length > 25, names.join());
+  });
+}
+
 /** The names of what Tab visits from where the page starts until it leaves the document, in order. */
 async function journey(page) {
   const visited = [];

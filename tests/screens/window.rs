@@ -131,3 +131,24 @@ fn everything_is_within_the_narrowest_and_lowest_windows() {
         }
     }
 }
+
+#[test]
+fn what_gets_the_focus_is_whole_in_a_low_window() {
+    for size in [vec2(320.0, 256.0), vec2(320.0, 200.0), vec2(640.0, 400.0)] {
+        let mut program = Program::on(Machine::default(), size);
+        let mut hidden = Vec::new();
+        for _ in 0..50 {
+            program.harness.key_press(Key::Tab);
+            program.harness.run();
+            let root = program.harness.root();
+            let Some(node) = root.children_recursive().find(|node| node.is_focused()) else {
+                continue;
+            };
+            let rect = node.rect();
+            if rect.top() < 0.0 || rect.bottom() > size.y || rect.left() < 0.0 || rect.right() > size.x {
+                hidden.push(format!("{:?} {rect:?}", node.accesskit_node().label()));
+            }
+        }
+        assert!(hidden.is_empty(), "{size}: {hidden:#?}");
+    }
+}

@@ -44,7 +44,7 @@ fn mode_ui(ui: &mut Ui, cx: &mut AppContext<'_>, mode: Mode) {
     let is_narrow = whole.width() < theme::PAIR_WIDTH;
     let names = Mode::FIRST.map(Mode::name);
     // The way that was chosen is written out; the others make room for it.
-    let written = if is_narrow && chosen.is_none() {
+    let written = if is_narrow && (chosen.is_none() || whole.width() < theme::NAMES_WIDTH) {
         Mode::FIRST.map(Mode::short_name)
     } else {
         names

@@ -108,6 +108,8 @@ pub const ABOVE_BUTTONS: f32 = 2.0;
 pub const COPY_WIDTH: f32 = 113.0;
 /// Width of the button that clears the form.
 pub const RESET_WIDTH: f32 = 63.0;
+/// The narrowest form in which all ways of asking are written out.
+pub const NAMES_WIDTH: f32 = 300.0;
 /// The narrowest form in which the buttons stand in one row.
 pub const BUTTON_ROW_WIDTH: f32 = 340.0;
 /// The mark before what opens a part.

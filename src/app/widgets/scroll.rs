@@ -28,26 +28,30 @@ pub fn up_to_ui<R>(ui: &mut Ui, height: f32, add_contents: impl FnOnce(&mut Ui) 
     .inner
 }
 
-/// The focused widget and the visible height of the column in the last frame.
+/// The focused widget and the visible height of the column in the last pass.
 #[derive(Clone, Copy, Default)]
 struct Before {
     focused: Option<Id>,
     height: f32,
+    /// The frame in which it last had to be revealed.
+    revealed: u64,
 }
 
 fn reveal_focus(ui: &Ui) {
     let shown = ui.clip_rect();
     let visible = shown.y_range();
-    let now = Before {
-        focused: ui.memory(|memory| memory.focused()),
-        height: visible.span(),
-    };
+    let (focused, height) = (ui.memory(|memory| memory.focused()), visible.span());
     let key = ui.scope_id().with("before");
-    let before = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default::<Before>(key), now));
-    if now.focused == before.focused && now.height >= before.height {
+    let before: Before = ui.data(|data| data.get_temp(key)).unwrap_or_default();
+    let frame = ui.ctx().cumulative_frame_nr();
+    let is_new = focused != before.focused || height < before.height;
+    // In each pass of that frame: what an earlier one asked for is thrown away with it.
+    let revealed = if is_new { frame } else { before.revealed };
+    ui.data_mut(|data| data.insert_temp(key, Before { focused, height, revealed }));
+    if revealed != frame {
         return;
     }
-    let Some(response) = now.focused.and_then(|id| ui.ctx().read_response(id)) else {
+    let Some(response) = focused.and_then(|id| ui.ctx().read_response(id)) else {
         return;
     };
     // What has scrolled out at the top lies where the navigation is: that is seen, and what has scrolled out is not.

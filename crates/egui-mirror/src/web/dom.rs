@@ -9,7 +9,7 @@ use super::caret::selection;
 use super::elements::Elements;
 use super::host::{self, Host};
 use super::options::Options;
-use super::signals::{CARET_MOVED, FOCUSED, TOUCHED, TYPING, VISITED, act, has_value_waiting, waiting_focus};
+use super::signals::{ARRIVED, CARET_MOVED, FOCUSED, TOUCHED, TYPING, VISITED, act, has_value_waiting, waiting_focus};
 use crate::announce::{Announcement, announcements};
 use crate::caret::text_position;
 use crate::describe::Tree;
@@ -191,6 +191,7 @@ impl Dom {
             self.root = root;
             news = self.describe();
         }
+        ARRIVED.set(None);
         self.say_what_is_active();
         self.settle_inputs();
         self.follow_caret();

@@ -8,7 +8,7 @@ use super::announcer::PAUSE_MS;
 use super::dom::Dom;
 use super::installed::with;
 use super::listener::Listener;
-use super::signals::{self, CARET_MOVED, COMPOSING, FOCUSED, QUIET, TOUCHED, TYPING, act};
+use super::signals::{self, ARRIVED, CARET_MOVED, COMPOSING, FOCUSED, QUIET, TOUCHED, TYPING, act};
 use super::{keyboard, pointer};
 use crate::element::node_id;
 use crate::number::number;
@@ -87,14 +87,14 @@ fn focus_went() {
     let _ = with(|mirror| mirror.dom.ctx().request_repaint());
 }
 
-/// The browser has scrolled the page to something in it, as to what it found there: that is for egui to do.
+/// The browser has scrolled the page to something in it, as to what has got the focus, or to what it found there: that is for egui to do.
 fn scrolled() {
     let _ = with(|mirror| {
         let dom = &mirror.dom;
         if dom.host().scrolled() == (0.0, 0.0) {
             return;
         }
-        let wanted = dom.selected().or_else(|| dom.in_the_middle());
+        let wanted = ARRIVED.get().or_else(|| dom.selected()).or_else(|| dom.in_the_middle());
         dom.host().scroll_back();
         if let Some(id) = wanted {
             act(dom.ctx(), id, Action::ScrollIntoView, None);

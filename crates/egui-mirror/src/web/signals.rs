@@ -9,6 +9,8 @@ thread_local! {
     pub(crate) static QUEUE: RefCell<Vec<egui::Event>> = const { RefCell::new(Vec::new()) };
     /// The element of the mirror that has the browser's focus.
     pub(crate) static FOCUSED: Cell<Option<NodeId>> = const { Cell::new(None) };
+    /// The element that has got it since the last frame: the browser scrolls to that.
+    pub(crate) static ARRIVED: Cell<Option<NodeId>> = const { Cell::new(None) };
     /// The elements that had it, the latest last.
     pub(crate) static VISITED: RefCell<Vec<NodeId>> = const { RefCell::new(Vec::new()) };
     /// The focus is being moved because egui moved its own.
@@ -32,6 +34,7 @@ const MEMORY: usize = 16;
 /// Remembers that an element has the browser's focus now.
 pub(crate) fn focus_is_on(id: NodeId) {
     FOCUSED.set(Some(id));
+    ARRIVED.set(Some(id));
     VISITED.with_borrow_mut(|visited| {
         visited.retain(|other| *other != id);
         visited.push(id);
