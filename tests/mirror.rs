@@ -265,8 +265,17 @@ impl<'a> Comparison<'a> {
                 format!("should hold {:?}", node.value())
             });
         }
-        let description = node.description().filter(|words| *words != name);
-        self.expect(element.description.as_deref() == description, element, || {
+        // What is wrong with a field comes first.
+        let wrong: Vec<String> = node.described_by().iter().map(|id| self.page.words(*id)).collect();
+        let always = node.description().filter(|words| *words != name);
+        let all: Vec<&str> = wrong
+            .iter()
+            .map(String::as_str)
+            .chain(always)
+            .filter(|words| !words.is_empty())
+            .collect();
+        let description = Some(all.join(" ")).filter(|words| !words.is_empty());
+        self.expect(element.description == description, element, || {
             format!("should be described as {description:?}")
         });
         for (state, on) in [("aria-invalid", node.invalid().is_some()), ("aria-disabled", node.is_disabled())] {

@@ -158,6 +158,14 @@ function startsAgain(failure) {
   });
 }
 
+/**
+ * A screen reader begins to read a page when it has arrived, and the program may be there a moment later: until it is late, what stands
+ * here meanwhile is for the eyes.
+ */
+const LATE_MS = 3000;
+element('loading').inert = true;
+setTimeout(() => (element('loading').inert = false), LATE_MS);
+
 let isOver = false;
 /** Whether the browser goes to another page: Firefox then ends scripts in the middle, and what the program does next fails. */
 let isLeaving = false;

@@ -5,6 +5,7 @@ use super::context::AppContext;
 use super::dialog::{Dialog, DialogFrame, close_button_ui};
 use super::platform::Licenses;
 use super::theme;
+use super::widgets::text;
 use egui::Ui;
 
 /// The dialog, over the screen.
@@ -17,9 +18,16 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let close = Command::ShowDialog(None);
     let response = frame.ui(ui, |ui| {
         ui.add_space(theme::STEP);
-        ui.label(version(cx.platform.commit().as_deref()));
-        ui.label("You may use, change and share it under the MIT or the Apache 2.0 license, as you like.");
-        ui.label("Its fonts are Inter (SIL Open Font License 1.1) and DejaVu (a license of its own).");
+        let paragraphs = [
+            &version(cx.platform.commit().as_deref()),
+            "You may use, change and share it under the MIT or the Apache 2.0 license, as you like.",
+            "Its fonts are Inter (SIL Open Font License 1.1) and DejaVu (a license of its own).",
+        ];
+        for paragraph in paragraphs {
+            let said = ui.label(paragraph);
+            // The dialog opens with the focus behind it.
+            text::announce(ui, &said);
+        }
         match cx.platform.licenses() {
             Licenses::Page(address) => {
                 ui.hyperlink_to("Licenses of the fonts and of every library in it", address);
@@ -48,7 +56,6 @@ fn version(commit: Option<&str>) -> String {
 /// Page Down, Home and End scroll it.
 #[cfg(not(target_arch = "wasm32"))]
 fn full_text_ui(ui: &mut Ui, licenses: &'static str) {
-    use super::widgets::text;
     use egui::accesskit::Role;
     use egui::{Key, Label, Modifiers, RichText, ScrollArea, TextStyle, UiBuilder, vec2};
 

@@ -33,7 +33,9 @@ impl DialogFrame {
             let room = ui.ctx().content_rect().size() - egui::Vec2::splat(theme::DIALOG_MARGINS);
             ui.set_width(room.x.min(self.max_width));
             let contents = |ui: &mut Ui| {
-                text::heading_ui(ui, self.title, 2, theme::strong(theme::TITLE_SIZE), palette.text);
+                let heading = text::heading_ui(ui, self.title, 2, theme::strong(theme::TITLE_SIZE), palette.text);
+                // Orca does not say the name of a dialog that the focus comes into.
+                text::announce(ui, &heading);
                 add_contents(ui)
             };
             if theme::is_low(ui.ctx().content_rect().height()) {

@@ -65,7 +65,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let about = Command::ShowDialog(Some(Dialog::About));
     let close = Command::ShowDialog(None);
     let response = frame.ui(ui, |ui| {
-        table_ui(ui, "Keys", |ui| {
+        let table = table_ui(ui, "What they do", |ui| {
             for (keys, what) in rows() {
                 let cell = |text, font, role| Cell {
                     text: LayoutJob::simple(text, font, palette.text, 0.0),
@@ -79,6 +79,8 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
                 row_ui(ui, cells, &[1.0, 1.6]);
             }
         });
+        // The dialog opens with the focus behind it.
+        text::announce(ui, &table);
         ui.add_space(2.0 * theme::STEP);
         ui.horizontal(|ui| {
             let closed = close_button_ui(ui, close.text(), cx.layout);

@@ -5,7 +5,7 @@ if (!TEXT) throw new Error('Run these tests with `cargo xtask test chromium`, or
 
 /**
  * `engine`: chromium, firefox or webkit; `browser` and `driver`: the programs; `dist`: the folder of the page; `screenshots`: where
- * pictures go; `seed` and `batches`: of the random walk; `names`: of the tests to run, none for all. With `lists`, tests are only
- * listed, and nothing else is there.
+ * pictures go; `seed` and `batches`: of the random walk; `names`: of the tests to run, none for all; `isHeard`: a screen reader
+ * listens, on a desktop of its own. With `lists`, tests are only listed, and nothing else is there.
  */
 export const settings = JSON.parse(TEXT);

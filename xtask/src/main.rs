@@ -21,6 +21,7 @@ mod scripts;
 mod serve;
 mod site;
 mod size;
+mod speech;
 mod step;
 mod table;
 mod test;
@@ -80,6 +81,14 @@ enum Task {
         #[command(flatten)]
         places: browsers::Places,
     },
+    /// What a screen reader says of the page, against what it said before: Orca with Firefox and Chromium, on Linux
+    Speech {
+        /// Write down what is said now
+        #[arg(long)]
+        update: bool,
+        #[command(flatten)]
+        places: browsers::Places,
+    },
     /// Write assets/licenses.txt anew, after the crates have changed
     Licenses,
 }
@@ -105,6 +114,7 @@ fn main() -> ExitCode {
         Task::Size => dist::checked_build(true).and_then(|dist| size::check(&dist)),
         Task::Lighthouse { runs, places } => lighthouse::audit(runs, &places),
         Task::Idle { seconds, places } => idle::measure(seconds, &places),
+        Task::Speech { update, places } => speech::listen(update, &places),
         Task::Licenses => licenses::write(),
     };
     match outcome {

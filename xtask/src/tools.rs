@@ -90,7 +90,9 @@ impl Tool {
         }
         // Optimizing these tools, or describing them for a debugger, takes far longer than they will ever run.
         let mut install = cargo(&["install", package, "--version", version, "--locked", "--debug", "--force", "--root"]);
-        run(install.arg(folder).args(self.features).env("CARGO_PROFILE_DEV_DEBUG", "0"))
+        // In one place, so that what several of them are made of is built once.
+        install.env("CARGO_TARGET_DIR", folder.join("build"));
+        run(install.arg(&folder).args(self.features).env("CARGO_PROFILE_DEV_DEBUG", "0"))
     }
 }
 

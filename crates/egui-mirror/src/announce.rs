@@ -2,7 +2,7 @@
 
 use egui::accesskit::{Live, NodeId};
 
-use crate::element::{Element, element_id};
+use crate::element::Element;
 use crate::page::Page;
 
 /// How urgently something is to be said.
@@ -43,32 +43,32 @@ pub(crate) fn announcements(old: &Page, new: &Page) -> Vec<Announcement> {
     if old.elements().is_empty() {
         return Vec::new();
     }
-    // Who comes to a field hears what describes it.
-    let described = new
-        .focus()
-        .filter(|focus| old.focus() != Some(*focus))
-        .and_then(|focus| new.get(focus)?.attribute("aria-describedby"));
-    let is_heard = |element: &Element| described.is_some_and(|ids| ids.split(' ').any(|id| id == element_id(element.id)));
-    let all = new.elements().iter().filter(|element| !is_heard(element)).filter_map(|element| {
-        // egui numbers most widgets by their position, so what has this number now may have been something else.
-        let before = old
-            .get(element.id)
-            .filter(|before| before.is_same_element(element) && before.live == element.live);
-        let urgency = match (element.role(), element.live) {
-            (_, Some(Live::Off)) => return None,
-            (Some("status"), _) if before.is_none() => Urgency::Polite,
-            (Some("alert" | "alertdialog" | "status" | "log" | "timer" | "marquee"), _) => return None,
-            (_, Some(Live::Assertive)) => Urgency::Assertive,
-            (_, Some(Live::Polite)) => Urgency::Polite,
-            _ => return None,
-        };
-        let words = said(new, element);
-        let is_news = before.is_none_or(|before| said(old, before) != words);
-        (is_news && !words.is_empty()).then_some(Announcement {
-            id: element.id,
-            urgency,
-            words,
-        })
-    });
+    // What is wrong with a field that comes with it, as on another screen, is heard by whoever comes to that field.
+    let comes_with_field = |element: &Element| element.describes.is_some_and(|field| old.get(field).is_none());
+    let all = new
+        .elements()
+        .iter()
+        .filter(|element| !comes_with_field(element))
+        .filter_map(|element| {
+            // egui numbers most widgets by their position, so what has this number now may have been something else.
+            let before = old
+                .get(element.id)
+                .filter(|before| before.is_same_element(element) && before.live == element.live);
+            let urgency = match (element.role(), element.live) {
+                (_, Some(Live::Off)) => return None,
+                (Some("status"), _) if before.is_none() => Urgency::Polite,
+                (Some("alert" | "alertdialog" | "status" | "log" | "timer" | "marquee"), _) => return None,
+                (_, Some(Live::Assertive)) => Urgency::Assertive,
+                (_, Some(Live::Polite)) => Urgency::Polite,
+                _ => return None,
+            };
+            let words = said(new, element);
+            let is_news = before.is_none_or(|before| said(old, before) != words);
+            (is_news && !words.is_empty()).then_some(Announcement {
+                id: element.id,
+                urgency,
+                words,
+            })
+        });
     all.collect()
 }

@@ -197,6 +197,10 @@ impl Writer<'_> {
         for id in ids {
             let Some(node) = self.nodes.get(&id) else { continue };
             let mut links = self.links(node);
+            if self.page.get(id).is_some_and(|element| element.kind.is_text()) {
+                self.describe_in_words(id, node);
+                links.retain(|(attribute, _)| *attribute != "aria-describedby");
+            }
             let mut name = None;
             if node.label().is_none() && !node.labelled_by().is_empty() {
                 let words: Vec<String> = node.labelled_by().iter().map(|id| self.page.words(*id)).collect();
@@ -208,7 +212,6 @@ impl Writer<'_> {
             if let Some(element) = self.page.get_mut(id) {
                 element.attributes.extend(links);
                 if element.has_about() {
-                    // What is wrong comes before what is always so.
                     let described = element.attributes.entry("aria-describedby").or_default();
                     let gap = if described.is_empty() { "" } else { " " };
                     *described = format!("{described}{gap}{}", about_id(id));
@@ -222,6 +225,24 @@ impl Writer<'_> {
                 }
             }
         }
+    }
+
+    /// Describes a field by words of its own, instead of by the elements that describe it: what is wrong, then what is always so. The words
+    /// can be kept as they are while somebody is in the field, whatever becomes of those elements.
+    fn describe_in_words(&mut self, id: NodeId, node: &Node) {
+        let wrong: Vec<String> = node.described_by().iter().map(|id| self.page.words(*id)).collect();
+        for about in node.described_by() {
+            if let Some(element) = self.page.get_mut(*about) {
+                element.describes = Some(id);
+            }
+        }
+        let Some(element) = self.page.get_mut(id) else { return };
+        let all: Vec<String> = wrong
+            .into_iter()
+            .chain(element.description.take())
+            .filter(|words| !words.is_empty())
+            .collect();
+        element.description = (!all.is_empty()).then(|| all.join(" "));
     }
 
     /// The attributes that lead from a node to other elements. What became no element is left out.
@@ -256,8 +277,11 @@ impl Writer<'_> {
         if !dialog.is_dialog() || !dialog.name.is_empty() {
             return None;
         }
-        let is_heading = |element: &&Element| matches!(element.tag, "h1" | "h2" | "h3" | "h4" | "h5" | "h6");
-        let mut headings = self.page.elements().iter().filter(is_heading);
+        let mut headings = self
+            .page
+            .elements()
+            .iter()
+            .filter(|element| matches!(element.tag, "h1" | "h2" | "h3" | "h4" | "h5" | "h6"));
         headings
             .find(|heading| self.page.contains(id, heading.id))
             .map(|heading| heading.id)

@@ -84,6 +84,8 @@ pub struct Element {
     pub lettering: Option<Lettering>,
     /// How urgently the application wants it to be read aloud when it appears or changes.
     pub live: Option<Live>,
+    /// The field that it describes, if it does.
+    pub(crate) describes: Option<NodeId>,
     /// The elements inside it, in reading order.
     pub children: Vec<NodeId>,
 }
@@ -125,6 +127,7 @@ impl Element {
             place: Place::default(),
             lettering: None,
             live: node.live(),
+            describes: None,
             children: Vec::new(),
         }
     }

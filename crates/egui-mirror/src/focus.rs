@@ -76,5 +76,7 @@ pub(crate) fn destination(old: &Page, new: &Page, held: &Element, visited: &[Nod
     new.successor(old, held)
         .or_else(|| latest_first.find(|id| new.can_take_focus(*id)))
         .or_else(|| new.first_stop_in_dialog())
+        // Where nothing is left of where the person was, at the beginning: the canvas says nothing.
+        .or_else(|| new.tab_stops().next())
         .map_or(Destination::Canvas, Destination::LeadEgui)
 }

@@ -5,8 +5,6 @@ use std::collections::HashMap;
 use egui::accesskit::{Node, NodeId};
 
 use crate::element::Element;
-#[cfg(any(test, target_arch = "wasm32"))]
-use crate::element::node_id;
 
 /// The nodes of an AccessKit tree.
 pub type Nodes = HashMap<NodeId, Node>;
@@ -64,7 +62,11 @@ impl Page {
         for child in &element.children {
             let inner = self.words(*child);
             if !words.is_empty() && !inner.is_empty() {
-                words.push(' ');
+                words.push_str(match self.get(*child).map_or("", |child| child.tag) {
+                    "tr" => ". ",
+                    "td" | "th" => ": ",
+                    _ => " ",
+                });
             }
             words.push_str(&inner);
         }
@@ -87,31 +89,26 @@ impl Page {
         roots.any(|root| self.contains(root, id) && self.get(root).is_some_and(|root| root.attribute("inert").is_none()))
     }
 
-    /// Keeps what a screen reader would say of the element that has the browser's focus whenever it changes, as `old` has it: its
-    /// description as long as it has the focus, as news is said by a live region, and while it `is_typed_in` whether it is valid. Returns
-    /// whether that is not so any more.
+    /// Keeps what a screen reader would say of a field in which the browser's focus is, or to which it comes now, whenever it changes, as
+    /// `old` has it: its description, as news is said by a live region, and while it `is_typed_in` whether it is valid. Returns whether that
+    /// is not so any more.
     #[cfg(any(test, target_arch = "wasm32"))]
     pub(crate) fn keep_description(&mut self, old: &Self, id: NodeId, is_typed_in: bool) -> bool {
-        let Some(before) = old.get(id).cloned() else { return false };
-        // What is gone describes nothing any more.
-        let is_there = |other: &&str| node_id(other).is_none_or(|other| self.get(other).is_some());
-        let present = |ids: &String| ids.split(' ').filter(is_there).collect::<Vec<_>>().join(" ");
-        let before_of = |name: &str| before.attributes.get(name);
-        let kept_of = |name: &str| before_of(name).map(present).filter(|ids| !ids.is_empty());
-        let [description, message] = ["aria-describedby", "aria-errormessage"].map(kept_of);
-        let validity = before_of("aria-invalid").cloned();
-        let Some(element) = self.get_mut(id) else { return false };
+        let (Some(before), Some(element)) = (old.get(id), self.get_mut(id)) else {
+            return false;
+        };
         if !element.kind.is_text() || !before.is_same_element(element) {
             return false;
         }
-        let kept = [("aria-describedby", description), ("aria-errormessage", message)];
-        let kept = kept.into_iter().chain(is_typed_in.then_some(("aria-invalid", validity)));
-        let mut is_kept = false;
-        for (name, value) in kept {
-            if element.attributes.get(name) != value.as_ref() {
+        let mut is_kept = element.description != before.description;
+        element.description.clone_from(&before.description);
+        let validity = is_typed_in.then_some("aria-invalid");
+        for name in ["aria-describedby", "aria-errormessage"].into_iter().chain(validity) {
+            let value = before.attributes.get(name);
+            if element.attributes.get(name) != value {
                 is_kept = true;
                 match value {
-                    Some(value) => _ = element.attributes.insert(name, value),
+                    Some(value) => _ = element.attributes.insert(name, value.clone()),
                     None => _ = element.attributes.remove(name),
                 }
             }

@@ -28,7 +28,7 @@ use super::navigation;
 use super::saved::{Settings, Ways};
 use super::session::Session;
 use super::theme::{self, Layout};
-use super::widgets::{field, scroll};
+use super::widgets::{field, note_line, scroll};
 use crate::core::problem::{Field, Method};
 use crate::core::quantity::Length;
 use depth_text::field::{Key, Section};
@@ -179,7 +179,11 @@ impl Calculator {
             .filter(|_| settings.mode(&session.inputs).is_of_distance());
         let first = errors.chain(missing).map(|note| note.key).min();
         match first {
-            Some(key) => self.go_to(ctx, key, session, settings),
+            Some(key) => {
+                // Who is there already would hear nothing.
+                note_line::say_again(ctx, field::id(key));
+                self.go_to(ctx, key, session, settings);
+            }
             None => {
                 self.asked = self.asked.wrapping_add(1);
                 self.reveal_results(ctx);

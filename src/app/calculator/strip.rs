@@ -197,8 +197,8 @@ impl CellView<'_> {
                 response
             }
         };
-        // What was is no news.
-        if !matches!(self.cell.value, Value::Was(_)) {
+        // What was is no news, nor what is missing: the fields say that.
+        if matches!(self.cell.value, Value::Number { .. } | Value::Sentence(_)) {
             text::announce(ui, &response);
         }
         // What is said aloud when it changes: "Stereo: 1.400 m", "Combined, agree: 1.400 m".

@@ -72,12 +72,18 @@ impl List<'_> {
             .wrap_mode(egui::TextWrapMode::Extend)
             .show_ui(ui, |ui| {
                 let mut drawn = Entries::default();
+                // Closed explicitly: egui does so only for a click of the pointer. And a frame later: the focus goes back to a button that
+                // says what was chosen, not what was before.
+                let closes = chosen_key(owner);
+                if ui.data_mut(|data| data.remove_temp::<bool>(closes)).is_some() {
+                    ui.close();
+                }
                 for (at, name) in self.names.iter().enumerate() {
                     let entry = ui.selectable_label(self.chosen == Some(at), name);
-                    // Closed explicitly: egui does so only for a click of the pointer.
                     if entry.clicked() {
                         now = Some(at);
-                        ui.close();
+                        ui.data_mut(|data| data.insert_temp(closes, true));
+                        ui.ctx().request_repaint();
                     }
                     drawn.add(&entry, name, self.chosen == Some(at));
                 }
@@ -179,12 +185,17 @@ fn take_focus_back(owner: &Response) {
     if Popup::is_id_open(ctx, Popup::default_response_id(owner)) || ComboBox::is_open(ctx, owner.id) {
         return;
     }
+    ctx.data_mut(|data| data.remove_temp::<bool>(chosen_key(owner.id)));
     let Some(drawn) = ctx.data_mut(|data| data.remove_temp::<Vec<Id>>(drawn_key(owner.id))) else {
         return;
     };
     if ctx.memory(|memory| memory.focused()).is_none_or(|focused| drawn.contains(&focused)) {
         owner.request_focus();
     }
+}
+
+fn chosen_key(owner: Id) -> Id {
+    owner.with("something was chosen")
 }
 
 fn drawn_key(owner: Id) -> Id {

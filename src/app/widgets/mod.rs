@@ -9,7 +9,7 @@ pub mod figure;
 pub mod joined;
 pub mod menu;
 mod note_card;
-mod note_line;
+pub mod note_line;
 pub mod picture;
 pub mod progress;
 pub mod scroll;

@@ -7,6 +7,8 @@ use crate::app::command::Command;
 use crate::app::theme;
 use depth_text::note::{Fix, Note, Part, Severity};
 use egui::{Align, Button, Color32, Galley, Id, Label, Layout, Rect, Response, RichText, Sense, Shape, Stroke, Ui, UiBuilder, Vec2, vec2};
+use std::fmt::Debug;
+use std::hash::Hash;
 use std::sync::Arc;
 
 /// The line below a field.
@@ -57,7 +59,8 @@ impl NoteLine<'_> {
         let is_cut = words.elided || first.headline() != first.message();
         for (index, (note, about)) in self.notes.iter().enumerate() {
             let said = if index == 0 {
-                let said = self.label_ui(ui, "note", text_rect, Arc::clone(&words));
+                let asked = ui.data(|data| data.get_temp::<u32>(asked_key(self.id)));
+                let said = self.label_ui(ui, ("note", asked), text_rect, Arc::clone(&words));
                 // Whoever does not see it gets all of it.
                 ui.accesskit_node_builder(said.id, |node| node.set_value(note.message()));
                 said
@@ -121,7 +124,7 @@ impl NoteLine<'_> {
     }
 
     /// A label in a scope with an id of its own: a hint and a note are different things to a screen reader.
-    fn label_ui(&self, ui: &mut Ui, what: &str, rect: Rect, words: Arc<Galley>) -> Response {
+    fn label_ui(&self, ui: &mut Ui, what: impl Hash + Debug, rect: Rect, words: Arc<Galley>) -> Response {
         let place = UiBuilder::new()
             .scope_id(self.id.with(what))
             .max_rect(rect)
@@ -161,6 +164,15 @@ pub fn follow_click(ui: &Ui, id: Id) {
     if ui.data_mut(|data| data.remove_temp::<bool>(clicked_key(id))).is_some() {
         ui.memory_mut(|memory| memory.request_focus(id));
     }
+}
+
+/// Has the note of the field `id` said once more: to whoever listens it is a new one.
+pub fn say_again(ctx: &egui::Context, id: Id) {
+    ctx.data_mut(|data| *data.get_temp_mut_or_default::<u32>(asked_key(id)) += 1);
+}
+
+fn asked_key(id: Id) -> Id {
+    id.with("was asked for again")
 }
 
 fn clicked_key(id: Id) -> Id {

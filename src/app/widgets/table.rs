@@ -3,7 +3,7 @@
 use crate::app::theme;
 use egui::accesskit::Role;
 use egui::text::LayoutJob;
-use egui::{Label, Rect, Sense, Stroke, Ui, UiBuilder, pos2, vec2};
+use egui::{Label, Rect, Response, Sense, Stroke, Ui, UiBuilder, pos2, vec2};
 
 /// One cell of a row.
 #[derive(Debug)]
@@ -17,12 +17,13 @@ pub struct Cell {
 }
 
 /// A table named `name`; `add_rows` calls [`row_ui`].
-pub fn table_ui(ui: &mut Ui, name: &str, add_rows: impl FnOnce(&mut Ui)) {
+pub fn table_ui(ui: &mut Ui, name: &str, add_rows: impl FnOnce(&mut Ui)) -> Response {
     let builder = UiBuilder::new().accessibility_role(Role::Table).accessibility_label(name);
-    ui.scope_builder(builder, |ui| {
+    let scope = ui.scope_builder(builder, |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         add_rows(ui);
     });
+    scope.response
 }
 
 /// A cell at its place in a row.

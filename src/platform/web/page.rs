@@ -19,6 +19,9 @@ pub(super) fn show_program() {
     if let Some(loading) = element("loading").and_then(|element| element.dyn_into::<web_sys::HtmlElement>().ok()) {
         loading.set_hidden(true);
     }
+    if let Some(canvas) = element("app") {
+        canvas.remove_attribute("aria-hidden").ok();
+    }
     if let Some(performance) = web_sys::window().and_then(|window| window.performance()) {
         // The mark is for measurements only.
         performance.mark("first-frame").ok();

@@ -1,9 +1,11 @@
 // Chromium and Google Chrome, through chromedriver.
 
 import { Capabilities } from 'selenium-webdriver';
+import { settings } from '../settings.mjs';
 
 const ARGUMENTS = [
-  '--headless=new',
+  // Without a window it tells assistive technology nothing.
+  ...(settings.isHeard ? ['--force-renderer-accessibility'] : ['--headless=new']),
   '--no-sandbox',
   // WebGL without a graphics card.
   '--enable-unsafe-swiftshader',

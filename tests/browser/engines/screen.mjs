@@ -4,6 +4,7 @@ import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { access } from 'node:fs/promises';
 import path from 'node:path';
+import { settings } from '../settings.mjs';
 
 const ATTEMPTS = 2;
 
@@ -14,7 +15,7 @@ async function isOnPath(program) {
 }
 
 /** An X server without glass: the number of its display, and the process. */
-async function startXvfb() {
+export async function startXvfb() {
   const child = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '2000x1400x24', '-nolisten', 'tcp', '-noreset'], {
     stdio: ['ignore', 'ignore', 'pipe', 'pipe'],
   });
@@ -38,6 +39,8 @@ async function startXvfb() {
  * whoever runs the tests.
  */
 export async function startScreen(isNeeded) {
+  // Whoever listens has a desktop and a screen of their own, which the browser is to be told of.
+  if (settings.isHeard) return { environment: process.env, close() {} };
   // The services of a desktop, of which none may be there, are not waited for.
   const environment = { ...process.env, DBUS_SESSION_BUS_ADDRESS: 'disabled:', NO_AT_BRIDGE: '1' };
   if (process.platform !== 'linux' || !isNeeded) return { environment, close() {} };

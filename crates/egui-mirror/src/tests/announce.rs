@@ -68,3 +68,23 @@ fn all_that_is_news_at_once_is_announced() {
     let words: Vec<String> = announced(&before, &after).into_iter().map(|(_, words)| words).collect();
     assert_eq!(words, ["1.4 kg", "The example is filled in."]);
 }
+
+#[test]
+fn what_is_wrong_with_a_field_that_comes_with_it_is_not_announced() {
+    let mut other = TestTree::new();
+    other.add(ROOT, Role::Button, |node| control(node, "Learn"));
+    let screen = |error: Option<&str>| {
+        let mut tree = other.clone();
+        let field = tree.add(ROOT, Role::TextInput, |node| node.set_label("Height"));
+        if let Some(error) = error {
+            let note = tree.add(ROOT, Role::Label, |node| live(node, error));
+            tree.nodes.get_mut(&field).unwrap().set_described_by(vec![note]);
+        }
+        tree
+    };
+    assert_eq!(announced(&other, &screen(Some("not a number"))), []);
+    assert_eq!(
+        announced(&screen(None), &screen(Some("not a number"))),
+        [(Urgency::Polite, "not a number".to_owned())]
+    );
+}

@@ -54,7 +54,11 @@ fn a_field_is_named_by_its_label_and_described_by_its_error() {
     assert_eq!(attribute(&page, field, "aria-labelledby"), Some("mirror-1"));
     assert_eq!(
         attribute(&page, field, "aria-describedby"),
-        Some("mirror-3"),
+        Some(crate::element::about_id(field).as_str())
+    );
+    assert_eq!(
+        page.get(field).unwrap().description.as_deref(),
+        Some("not a number"),
         "a relation to nothing is left out"
     );
     assert_eq!(attribute(&page, field, "aria-invalid"), Some("true"));
@@ -107,6 +111,18 @@ fn tables_and_lists_are_made_of_their_own_elements() {
         .filter_map(|element| element.attributes.get("scope"))
         .collect();
     assert_eq!(scopes, ["col", "row"]);
+}
+
+#[test]
+fn the_words_of_a_table_are_a_sentence_for_each_row() {
+    let mut tree = TestTree::new();
+    let table = tree.add(ROOT, Role::Table, |_| ());
+    for (first, second) in [("Enter", "Calculate"), ("Esc", "Close")] {
+        let row = tree.add(table, Role::Row, |_| ());
+        tree.add(row, Role::RowHeader, |node| label(node, first));
+        tree.add(row, Role::Cell, |node| label(node, second));
+    }
+    assert_eq!(tree.page().words(table), "Enter: Calculate. Esc: Close");
 }
 
 #[test]
@@ -299,21 +315,24 @@ fn a_field_keeps_its_description_while_somebody_is_in_it_and_its_validity_while_
         }
         (tree.page(), field)
     };
-    let said = |page: &Page, field| ["aria-describedby", "aria-invalid"].map(|name| attribute(page, field, name).map(str::to_owned));
+    let said = |page: &Page, field| {
+        let words = page.get(field).unwrap().description.clone().unwrap();
+        (words, attribute(page, field, "aria-invalid").map(str::to_owned))
+    };
     let (good, field) = page(None);
     let (bad, _) = page(Some("cannot be zero"));
-    let about = format!("about-{:x}", field.0);
+    assert_eq!(said(&bad, field).0, "cannot be zero In meters.");
 
     let mut typed_in = bad.clone();
     assert!(typed_in.keep_description(&good, field, true));
-    assert_eq!(said(&typed_in, field), [Some(about.clone()), None]);
+    assert_eq!(said(&typed_in, field), ("In meters.".to_owned(), None));
 
     let mut paused = bad.clone();
     assert!(paused.keep_description(&good, field, false));
-    assert_eq!(said(&paused, field), [Some(about.clone()), Some("true".to_owned())]);
+    assert_eq!(said(&paused, field), ("In meters.".to_owned(), Some("true".to_owned())));
 
-    // What is gone describes nothing.
+    // Who mends it does not hear the rest of it again.
     let mut mended = good.clone();
-    assert!(!mended.keep_description(&bad, field, false));
-    assert_eq!(said(&mended, field), [Some(about), None]);
+    assert!(mended.keep_description(&bad, field, false));
+    assert_eq!(said(&mended, field), ("cannot be zero In meters.".to_owned(), None));
 }

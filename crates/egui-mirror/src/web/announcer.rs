@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{Document, HtmlElement, Node};
 
+use super::signals::TYPING;
 use super::timer::Timer;
 use crate::announce::{Announcement, Urgency, said};
 use crate::page::Page;
@@ -47,12 +48,21 @@ impl Announcer {
         let mut waiting = self.waiting.borrow_mut();
         waiting.retain(|old| announcements.iter().all(|new| new.id != old.id));
         waiting.extend(announcements);
-        let is_urgent = waiting.iter().any(|one| one.urgency == Urgency::Assertive);
-        self.timer.start(if is_urgent { 0 } else { PAUSE_MS });
+        drop(waiting);
+        self.timer.start(if self.is_all_polite() { PAUSE_MS } else { 0 });
+    }
+
+    fn is_all_polite(&self) -> bool {
+        self.waiting.borrow().iter().all(|one| one.urgency == Urgency::Polite)
     }
 
     /// Says what waits and is still so; when nothing waits, falls silent.
     pub(crate) fn say_waiting(&self, page: &Page) {
+        // What is said of a number that is half typed may not be so of the whole.
+        if TYPING.get().is_some() && self.is_all_polite() {
+            self.timer.start(PAUSE_MS);
+            return;
+        }
         let mut waiting = self.waiting.take();
         // What is no longer so is not said: the error of a number that was only half typed.
         waiting.retain(|one| page.get(one.id).is_some_and(|element| said(page, element) == one.words));

@@ -30,3 +30,12 @@ pub(crate) fn selection(element: &HtmlElement) -> Option<(usize, usize)> {
         (start, end)
     })
 }
+
+/// Takes away the caret of the document, now that something in it has got the focus. Firefox puts one beside what is no field, and tells
+/// assistive technology of the field before it whenever something around it changes. A field has a caret of its own; what is selected stays.
+pub(crate) fn forget_caret() {
+    let selection = web_sys::window().and_then(|window| window.get_selection().ok().flatten());
+    if let Some(selection) = selection.filter(|selection| selection.is_collapsed() && selection.range_count() > 0) {
+        let _ = selection.remove_all_ranges();
+    }
+}

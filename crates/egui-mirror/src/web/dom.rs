@@ -31,8 +31,8 @@ pub(crate) struct Dom {
     view: Option<View>,
     root: NodeId,
     page: Page,
-    /// The element whose focus keeps something of it as it was.
-    held: Option<NodeId>,
+    /// The elements of which something is kept as it was, because of the focus.
+    held: Vec<NodeId>,
     /// The element that assistive technology is told of while the canvas has the focus.
     active: Option<NodeId>,
 }
@@ -77,7 +77,7 @@ impl Dom {
             view: None,
             root: NodeId(0),
             page: Page::default(),
-            held: None,
+            held: Vec::new(),
             active: None,
         })
     }
@@ -179,7 +179,7 @@ impl Dom {
         };
         let same_nodes = self.nodes.len() == update.nodes.len() && update.nodes.iter().all(|(id, node)| self.nodes.get(id) == Some(node));
         let mut news = Vec::new();
-        let is_let_go = self.held.is_some_and(|id| FOCUSED.get() != Some(id));
+        let is_let_go = self.held.iter().any(|id| FOCUSED.get() != Some(*id));
         if !same_nodes || self.view != Some(view) || is_let_go {
             if self.view.map(|view| (view.scale, view.size)) != Some((view.scale, view.size)) {
                 self.lay_over_canvas();
@@ -201,7 +201,7 @@ impl Dom {
     /// The person has stopped typing: now what they have typed may be called wrong. Returns what is to be read aloud.
     pub(crate) fn typing_paused(&mut self) -> Vec<Announcement> {
         TYPING.set(None);
-        if self.held.is_some() { self.describe() } else { Vec::new() }
+        if self.held.is_empty() { Vec::new() } else { self.describe() }
     }
 
     /// Makes the page what the nodes say, and returns what is to be read aloud about it.
@@ -215,9 +215,10 @@ impl Dom {
             modal: view.modal,
             input_mode: self.options.input_mode,
         });
-        self.held = FOCUSED
-            .get()
-            .filter(|id| page.keep_description(&self.page, *id, TYPING.get() == Some(*id)));
+        let comes_to = page.focus().filter(|id| self.page.focus() != Some(*id));
+        let mut held: Vec<NodeId> = FOCUSED.get().into_iter().chain(comes_to).collect();
+        held.retain(|id| page.keep_description(&self.page, *id, TYPING.get() == Some(*id)));
+        self.held = held;
         let news = announcements(&self.page, &page);
         self.become_page(page);
         news
@@ -230,10 +231,12 @@ impl Dom {
             .any(|edit| matches!(edit, Edit::Remove(_) | Edit::Create(..) | Edit::Children(..)));
         // Taking the focused element away, or moving it, makes the browser forget.
         let held = FOCUSED.get().and_then(|id| self.page.get(id)).cloned();
-        // What has the focus is shut out only when the focus has gone: else the browser would take it nowhere, and say so.
-        let (last, first): (Vec<Edit>, Vec<Edit>) = edits
-            .into_iter()
-            .partition(|edit| matches!(edit, Edit::Attribute(_, "inert", Some(_))));
+        // What has the focus is shut out or removed only when the focus has gone: else the browser would take it nowhere, and say so.
+        let (last, first): (Vec<Edit>, Vec<Edit>) = edits.into_iter().partition(|edit| match edit {
+            Edit::Attribute(_, "inert", Some(_)) => true,
+            Edit::Remove(id) => page.get(*id).is_none(),
+            _ => false,
+        });
         for edit in first {
             // One element that the browser refuses must not take the rest of the page with it.
             let _ = self.elements.carry_out(edit);

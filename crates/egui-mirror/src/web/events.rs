@@ -5,6 +5,7 @@ use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{Element, Event, HtmlInputElement, HtmlTextAreaElement};
 
 use super::announcer::PAUSE_MS;
+use super::caret::forget_caret;
 use super::dom::Dom;
 use super::installed::with;
 use super::listener::Listener;
@@ -22,7 +23,8 @@ pub(crate) fn listen(dom: &Dom) -> Result<Vec<Listener>, JsValue> {
     let others = [
         Listener::new(host, "focusin", false, focus_came),
         Listener::new(host, "focusout", false, |_| focus_went()),
-        Listener::new(host, "click", false, clicked),
+        // Not on the host: all in it would count as something to click, and a screen reader would call charts and texts clickable.
+        Listener::new(&window, "click", false, clicked),
         Listener::new(host, "scroll", false, |_| scrolled()),
         Listener::new(host, "input", false, typed),
         Listener::new(host, "change", false, typed),
@@ -64,6 +66,7 @@ fn target(event: &Event) -> Option<NodeId> {
 fn focus_came(event: &Event) {
     let Some(id) = target(event) else { return };
     signals::focus_is_on(id);
+    forget_caret();
     if QUIET.get() {
         return;
     }
