@@ -153,7 +153,8 @@ it('what assistive technology is told is what the mirror says, at the place that
   const page = await bench.page(test);
   await page.start();
   const look = async (where) => {
-    await page.frames();
+    // An element that goes meanwhile could not be asked.
+    await settled(page);
     assert.deepEqual(await differences(page), [], where);
   };
   await page.press('Coffee mug (stereo)');
