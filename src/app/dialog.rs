@@ -38,7 +38,7 @@ impl DialogFrame {
                 text::announce(ui, &heading);
                 add_contents(ui)
             };
-            if theme::is_low(ui.ctx().content_rect().height()) {
+            if ui.ctx().content_rect().height() < theme::DIALOG_WHOLE_HEIGHT {
                 scroll::up_to_ui(ui, room.y, contents)
             } else {
                 contents(ui)

@@ -216,25 +216,44 @@ for (const [width, height] of [
   [320, 256],
   [640, 400],
 ]) {
-  it(`whatever has the keyboard is whole in a window of ${width} × ${height}`, { needs: ['leave a page with Tab', 'show a page as narrow as a phone'] }, async (test) => {
+  it(`whatever has the keyboard is whole in a window of ${width} × ${height}, in the dialogs too`, { needs: ['leave a page with Tab', 'show a page as narrow as a phone'] }, async (test) => {
     const page = await bench.page(test);
     await page.setScreen({ width, height });
     await page.start();
-    const names = [];
-    for (let steps = 0; steps < 60; steps += 1) {
-      const now = await until(`what has the keyboard after ${names.at(-1)} in sight`, () =>
-        page.run(`
-          const active = document.activeElement;
-          if (active === document.body || !document.hasFocus()) return 'outside';
-          const { top, bottom, left, right } = active.getBoundingClientRect();
-          return top >= 0 && left >= 0 && bottom <= innerHeight && right <= innerWidth && (active.getAttribute('aria-label') || active.textContent);`),
-      );
-      if (now === 'outside') break;
-      names.push(now);
-      await page.type(Key.TAB);
+    const stops = await wholeStops(page);
+    assert.ok(stops.length > 25, stops.join());
+    for (const [opens, least] of Object.entries({ 'From lens, FOV or Q…': 5, 'OpenCV × 16, doffs…': 5, Keys: 2 })) {
+      // The keyboard has left the page before.
+      await page.run('arguments[0].focus()', await page.element(opens, 'button'));
+      await page.type(Key.ENTER);
+      await until('the dialog', () => page.run(`return document.querySelector('${MIRROR} [role=dialog]')?.contains(document.activeElement)`));
+      const inside = await wholeStops(page);
+      assert.ok(inside.length >= least, `${opens}: ${inside}`);
+      await page.type(Key.ESCAPE);
+      await until('the dialog closed', () => page.run(`return document.querySelector('${MIRROR} [role=dialog]') === null`));
     }
-    assert.ok(names.length > 25, names.join());
   });
+}
+
+/** The names of what Tab visits from where the keyboard is, each once it is wholly in sight, until it leaves the document or begins again. */
+async function wholeStops(page) {
+  const names = [];
+  const seen = new Set();
+  for (let steps = 0; steps < 60; steps += 1) {
+    const [id, name] = await until(`what has the keyboard after ${names.at(-1)} in sight`, () =>
+      page.run(`
+        const active = document.activeElement;
+        if (active === document.body || !document.hasFocus()) return ['outside', ''];
+        const { top, bottom, left, right } = active.getBoundingClientRect();
+        const isWhole = top >= 0 && left >= 0 && bottom <= innerHeight && right <= innerWidth;
+        return isWhole && [active.id, active.getAttribute('aria-label') || active.textContent];`),
+    );
+    if (id === 'outside' || seen.has(id)) break;
+    seen.add(id);
+    names.push(name);
+    await page.type(Key.TAB);
+  }
+  return names;
 }
 
 /** The names of what Tab visits from where the page starts until it leaves the document, in order. */

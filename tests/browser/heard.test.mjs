@@ -154,6 +154,16 @@ it('the screens are named, and Back and Forward go between them', async (test) =
   await shows('Depth Calculator');
 });
 
+it('the page starts, and is reloaded, with the focus in its first field', async (test) => {
+  const page = await bench.page(test);
+  await page.start();
+  for (let times = 0; times < 2; times += 1) {
+    await until('the focus', async () => (await page.run(FOCUSED)) === FX);
+    assert.equal(await page.run('return document.activeElement.localName'), 'input');
+    await page.reload();
+  }
+});
+
 /** The buttons and keys that are pressed one after the other on a fresh page, and the name of what has the focus then. */
 const ACTIONS = [
   [['Coffee mug (stereo)'], 'Coffee mug (stereo)'],

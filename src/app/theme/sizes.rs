@@ -158,6 +158,8 @@ pub const CONTENT_WIDTH: f32 = 2512.0;
 pub const TEXT_WIDTH: f32 = 720.0;
 /// From the edges of the window to the contents of a dialog, both sides together.
 pub const DIALOG_MARGINS: f32 = 72.0;
+/// The height of a window in which every dialog is whole; in a lower one it scrolls.
+pub const DIALOG_WHOLE_HEIGHT: f32 = 640.0;
 /// Windows lower than this scroll as one piece.
 pub const LOW_HEIGHT: f32 = 400.0;
 /// The widest the list of keys grows.
