@@ -37,6 +37,7 @@
 //! | a button, a menu entry, a key | `app/command.rs` for its text and its keys, `app/logic.rs` for what it does |
 //! | a dialog | `app/dialog.rs`, and a file like `app/about.rs` |
 //! | a picture | `crates/depth-figures`: a pure model and a pure layout that give shapes; `app/calculator/pictures/` for pointer and keys |
+//! | a calibration format | `crates/depth-files/src/formats/` |
 //! | a screen | `Screen` in `app/saved.rs`, a folder like `app/learn/`, and its line in `app/ui.rs` |
 //! | a color, a size, a font | `app/theme/` |
 //! | what the program needs from the machine | `app/platform.rs`, then both platforms and the tests' |

@@ -2,6 +2,7 @@
 
 use super::between::Between;
 use super::help;
+use super::import::Import;
 use super::options::{Calculate, Ground};
 use super::q::Q;
 use super::step::Step;
@@ -44,6 +45,9 @@ pub(super) enum Task {
     /// Compute the length between two points that a stereo pair sees
     #[command(after_long_help = help::BETWEEN)]
     Between(Box<Between>),
+    /// Read a calibration file: of OpenCV, ROS, Kalibr, Middlebury, KITTI, COLMAP, ORB-SLAM, ZED, RealSense or EuRoC
+    #[command(after_long_help = help::IMPORT)]
+    Import(Import),
     /// Read focal length, baseline and doffs from a Q matrix of stereoRectify
     #[command(after_long_help = help::Q)]
     Q(Q),

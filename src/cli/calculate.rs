@@ -1,5 +1,6 @@
 //! `calculate`: what is answered, warned about or refused.
 
+use super::fill::fill;
 use super::json::Json;
 use super::options::{Calculate, method_of, name};
 use super::reply::Reply;
@@ -60,6 +61,17 @@ impl Calculate {
     /// The answer, or one sentence that says why there is none.
     pub(super) fn reply(&self) -> Result<Reply, String> {
         self.fields.refuse_empty()?;
+        let Some(calibration) = &self.calibration else {
+            return self.answer(Vec::new());
+        };
+        let mut filled = self.clone();
+        let stand = (self.object.unwrap_or_default(), self.pair.unwrap_or_default());
+        let said = fill(calibration, &mut filled.fields, stand, self.solve_for)?;
+        filled.answer(said.iter().map(|sentence| Warning::of_option("from", sentence)).collect())
+    }
+
+    /// The answer, beside what was said of the files that it is from.
+    fn answer(&self, mut warnings: Vec<Warning>) -> Result<Reply, String> {
         let inputs = self.inputs()?;
         let assessment = inputs.assess();
         let solution = &assessment.solution;
@@ -79,7 +91,7 @@ impl Calculate {
         if !answered {
             return Err(self.what_is_missing(&inputs).to_string());
         }
-        let warnings = self.warnings(&inputs, &assessment);
+        warnings.extend(self.warnings(&inputs, &assessment));
         let results = Results {
             inputs: &inputs,
             assessment: &assessment,
@@ -87,7 +99,6 @@ impl Calculate {
             provenance: Provenance::default(),
         };
         if self.fields.json {
-            let mut warnings = warnings;
             warnings.extend(remarks(&assessment));
             let answer = Json { warnings: &warnings }.export(&results);
             return answer.map(Reply::without_warnings).map_err(|error| error.to_string());

@@ -82,11 +82,21 @@ Example:
       0.312 m, give or take 0.011 m";
 
 /// Of `q`.
+pub(super) const IMPORT: &str = "\
+A file is recognized by what is in it. Where it does not say its unit, as
+those of OpenCV do not, --file-unit does: 1mm, or 25mm for squares of 25 mm.
+`calculate --from FILE...` takes fx, baseline and doffs from it.
+
+Examples:
+  depth-calculator import extrinsics.yml intrinsics.yml --file-unit 1mm
+  depth-calculator import cam0/sensor.yaml cam1/sensor.yaml --json
+  depth-calculator calculate --from calib.txt --disparity 50";
+
 pub(super) const Q: &str = "\
 The matrix is read from a calibration file of OpenCV (YAML, XML, JSON),
 from what numpy or MATLAB print, or from sixteen numbers.
 
 Example:
   echo '1 0 0 -610 0 1 0 -350 0 0 0 700 0 0 0.01 0.4' |
-      depth-calculator q - --file-unit mm
+      depth-calculator q - --file-unit 1mm
       fx 700 px, baseline 100 mm, doffs 40 px";

@@ -4,9 +4,13 @@ mod arguments;
 mod ascii;
 mod between;
 mod calculate;
+mod calibration;
 mod completions;
+mod file;
+mod fill;
 mod ground;
 mod help;
+mod import;
 mod json;
 mod manual;
 mod options;
@@ -80,6 +84,7 @@ fn answer(task: &Task) -> Result<Reply, String> {
         Task::Ground(ground) => ground.reply(),
         Task::Step(step) => step.reply(),
         Task::Between(between) => between.reply(),
+        Task::Import(import) => import.reply(),
         Task::Q(q) => q.reply(),
         Task::Completions { shell } => Ok(Reply::without_warnings(completions::script(*shell))),
         Task::Man => {

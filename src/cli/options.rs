@@ -1,9 +1,10 @@
 //! The options that fill in fields, which are made from the table of fields, and those that every answer has.
 
+use super::calibration::{Calibration, file_unit};
 use crate::core::problem::{Field, Method};
-use crate::core::quantity::LengthUnit;
+use crate::core::quantity::{Length, LengthUnit};
 use crate::core::setup::{Object, Pair};
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser, ValueParser};
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, ValueHint};
 use depth_text::entry::{Entries, Entry};
@@ -12,6 +13,7 @@ use depth_text::fields;
 use depth_text::note::Part;
 use depth_text::sentences::CommandLine;
 use depth_text::style::Style;
+use std::path::PathBuf;
 
 pub(super) const UNCERTAINTY: &str = "Uncertainty";
 const POINT: &str = "Point in space";
@@ -22,7 +24,7 @@ const OUTPUT: &str = "Output";
 pub(super) const SIGMA_DISPARITY: &str = "sigma-disparity";
 
 /// What was typed into fields by options, and how to answer.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Typed {
     /// The texts of the options that fill in a field, in the order of the table.
     pub(super) typed: Vec<(Key, Part, String)>,
@@ -37,7 +39,7 @@ pub(super) struct Typed {
 }
 
 /// What was given to `calculate`.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Calculate {
     pub(super) fields: Typed,
     /// What is solved for, where it is not the distance.
@@ -46,6 +48,8 @@ pub(super) struct Calculate {
     pub(super) object: Option<Object>,
     /// How the cameras stand; `None` where that was not said.
     pub(super) pair: Option<Pair>,
+    /// Where the rest is from.
+    pub(super) calibration: Option<Calibration>,
 }
 
 /// What was given to `ground`.
@@ -207,7 +211,7 @@ impl Args for Calculate {
         );
         command
             .args(Typed::options(&calculate_fields()))
-            .args([object, pair_option(), solve_for])
+            .args([object, pair_option(), solve_for, from_option(), file_unit_option()])
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -222,6 +226,10 @@ impl FromArgMatches for Calculate {
             solve_for: matches.get_one::<Key>("solve-for").copied(),
             object: chosen(matches, "object", Object::ALL, Object::key),
             pair: chosen(matches, "pair", Pair::ALL, Pair::key),
+            calibration: matches.get_many::<PathBuf>("from").map(|files| Calibration {
+                files: files.cloned().collect(),
+                file_unit: matches.get_one::<Length>("file-unit").copied(),
+            }),
         })
     }
 
@@ -275,6 +283,26 @@ pub(super) fn chosen<T: Copy, const N: usize>(matches: &ArgMatches, option: &str
     }
     let name = matches.get_one::<String>(option)?;
     all.into_iter().find(|&one| key(one) == name)
+}
+
+fn from_option() -> Arg {
+    Arg::new("from")
+        .long("from")
+        .value_name("FILE")
+        .num_args(1..)
+        .action(ArgAction::Append)
+        .value_parser(ValueParser::path_buf())
+        .value_hint(ValueHint::FilePath)
+        .help("Calibration files that fx, baseline and doffs are taken from, where they are not given; - is standard input. See import")
+}
+
+fn file_unit_option() -> Arg {
+    Arg::new("file-unit")
+        .long("file-unit")
+        .value_name("LENGTH")
+        .value_parser(file_unit)
+        .requires("from")
+        .help("What one unit is of a calibration file that does not say it: 1mm, or 25mm for squares of 25 mm")
 }
 
 fn unit_option() -> Arg {

@@ -1,21 +1,18 @@
 //! `q`: what a Q matrix holds.
 
 use super::ascii::in_sentence;
-use super::options::unit_parser;
+use super::calibration::file_unit;
+use super::file;
 use super::reply::Reply;
 use crate::core::q_matrix::StereoGeometry;
-use crate::core::quantity::{Length, LengthUnit};
+use crate::core::quantity::Length;
 use clap::{Args, ValueHint};
 use depth_text::note::Issue;
 use depth_text::number::{Notation, TYPED_DIGITS};
 use depth_text::q_matrix;
 use depth_text::sentences::CommandLine;
 use serde::Serialize;
-use std::io::Read as _;
-use std::path::{Path, PathBuf};
-
-/// The largest file that is read: one with hundreds of cameras is smaller.
-const LARGEST: u64 = 16 << 20;
+use std::path::PathBuf;
 
 /// What was given to `q`.
 #[derive(Debug, Args)]
@@ -23,9 +20,9 @@ pub(super) struct Q {
     /// The file that the matrix is in; - for standard input
     #[arg(value_hint = ValueHint::FilePath)]
     file: PathBuf,
-    /// Unit in which the calibration measured, which a Q matrix does not say
-    #[arg(long, value_name = "UNIT", value_parser = unit_parser())]
-    file_unit: Option<LengthUnit>,
+    /// What one unit of the calibration is, which a Q matrix does not say: 1mm, or 25mm for squares of 25 mm
+    #[arg(long, value_name = "LENGTH", value_parser = file_unit)]
+    file_unit: Option<Length>,
     /// Answer in JSON: the baseline as the matrix has it, and in meters where --file-unit is given
     #[arg(long)]
     json: bool,
@@ -48,7 +45,7 @@ impl Q {
         let geometry = q_matrix::read(&self.text()?).map_err(|issue| in_sentence(&issue.to_string()))?;
         let swapped = geometry.swapped.then(|| in_sentence(&Issue::QMatrixSwapped.to_string()));
         let warnings: Vec<String> = swapped.into_iter().collect();
-        let baseline_m = self.file_unit.map(|unit| Length::new(geometry.baseline, unit).m());
+        let baseline_m = self.file_unit.map(|unit| unit.m() * geometry.baseline);
         if self.json {
             let answer = Answer {
                 fx: geometry.focal_length.px(),
@@ -68,11 +65,14 @@ impl Q {
 
     fn lines(&self, geometry: &StereoGeometry) -> String {
         let number = |value: f64| Notation::LONG.plain(value, TYPED_DIGITS);
-        let unit = self.file_unit.map_or("(in the unit of the calibration)", LengthUnit::symbol);
+        let (baseline, unit) = match self.file_unit {
+            Some(unit) => (unit.m() * geometry.baseline * 1000.0, "mm"),
+            None => (geometry.baseline, "(in the unit of the calibration)"),
+        };
         format!(
             "fx {} px\nbaseline {} {unit}\ndoffs {} px\ncx {} px\ncy {} px\n",
             number(geometry.focal_length.px()),
-            number(geometry.baseline),
+            number(baseline),
             number(geometry.doffs.px()),
             number(geometry.cx.px()),
             number(geometry.cy.px()),
@@ -84,21 +84,7 @@ impl Q {
     }
 
     fn text(&self) -> Result<String, String> {
-        let unreadable = |error: &dyn ToString| {
-            let reason = error.to_string();
-            let reason = reason.split(" (os error").next().unwrap_or_default().to_owned();
-            CommandLine::UnreadableFile { file: self.name(), reason }.to_string()
-        };
-        let mut bytes = Vec::new();
-        let read = if self.file == Path::new("-") {
-            std::io::stdin().lock().take(LARGEST + 1).read_to_end(&mut bytes)
-        } else {
-            std::fs::File::open(&self.file).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes))
-        };
-        let length = read.map_err(|error| unreadable(&error))?;
-        if u64::try_from(length).is_ok_and(|length| length > LARGEST) {
-            return Err(CommandLine::FileTooLarge { file: self.name() }.to_string());
-        }
-        String::from_utf8(bytes).map_err(|_| CommandLine::FileNotText { file: self.name() }.to_string())
+        let not_text = |_| CommandLine::FileNotText { file: self.name() }.to_string();
+        String::from_utf8(file::bytes(&self.file)?).map_err(not_text)
     }
 }

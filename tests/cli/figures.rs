@@ -294,7 +294,7 @@ fn a_q_matrix_is_read_from_a_file_and_from_standard_input() {
         near(&without[field], expected, 1e-9);
     }
     assert!(without["baseline_m"].is_null());
-    near(&answer(&["--file-unit", "mm"])["baseline_m"], 0.1, 1e-12);
+    near(&answer(&["--file-unit", "1mm"])["baseline_m"], 0.1, 1e-12);
     let mut child = super::program(&["q", "-"])
         .stdin(std::process::Stdio::piped())
         .stdout(std::process::Stdio::piped())

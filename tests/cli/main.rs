@@ -6,6 +6,7 @@ mod counted;
 mod fields;
 mod figures;
 mod floor;
+mod import;
 mod json;
 mod options;
 mod shell;

@@ -1,0 +1,60 @@
+//! What the bytes of a file are: text, XML, or something that is known and no calibration.
+
+use crate::format::Format;
+use crate::node::Node;
+use crate::refusal::Refusal;
+use crate::xml;
+
+/// No calibration is larger: one with hundreds of cameras has a hundredth of it.
+pub const LARGEST: usize = 16 << 20;
+
+/// What a file is written in.
+pub(crate) enum File {
+    /// Lines of a format that has no other structure.
+    Lines(Format, String),
+    /// YAML, JSON or XML: each document.
+    Trees(Vec<Node>),
+}
+
+/// What a document of XML is.
+pub(crate) fn of_xml(text: &str) -> Result<File, Refusal> {
+    let (root, node) = xml::document(text)?;
+    let names = |name: &str| node.get(name).is_some();
+    match root.as_str() {
+        "opencv_storage" if names("imagelist") || names("images") => Err(Refusal::Other {
+            what: "a list of images for OpenCV’s calibration, not a calibration",
+            todo: "Give the file that the calibration wrote.",
+        }),
+        "opencv_storage" => Ok(File::Trees(vec![node])),
+        _ => Err(Refusal::Unknown),
+    }
+}
+
+/// The text in `bytes`, with `\n` at the end of each line.
+pub(crate) fn text(bytes: &[u8]) -> Result<String, Refusal> {
+    const EXPORT: &str = "Write its numbers into a text file, such as JSON.";
+    if bytes.len() > LARGEST {
+        return Err(Refusal::TooLarge);
+    }
+    if bytes.is_empty() {
+        return Err(Refusal::Empty);
+    }
+    let what = match bytes {
+        [b'P', b'K', 3, 4, ..] => Some("an archive, as NumPy’s .npz"),
+        [0x93, b'N', b'U', b'M', b'P', b'Y', ..] => Some("an array of NumPy"),
+        bytes if bytes.starts_with(b"MATLAB 5.0 MAT-file") => Some("a file of MATLAB"),
+        // The number of cameras, of 64 bits.
+        [_, _, 0, 0, 0, 0, 0, 0, _, ..] => {
+            return Err(Refusal::Binary {
+                what: Some("cameras.bin of COLMAP, its binary form"),
+                todo: "Export it as text: colmap model_converter --output_type TXT.",
+            });
+        }
+        _ => None,
+    };
+    if what.is_some() || bytes.contains(&0) {
+        return Err(Refusal::Binary { what, todo: EXPORT });
+    }
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    Ok(String::from_utf8_lossy(bytes).replace("\r\n", "\n").replace('\r', "\n"))
+}

@@ -1,0 +1,135 @@
+//! What is wrong with numbers that can be read.
+
+use crate::format::Format;
+use crate::found::{Baseline, Basis, Camera, Found, Guess, Warning};
+use crate::refusal::Refusal;
+use depth_core::quantity::{Length, LengthUnit, Pixels};
+
+/// A focal length lies between these parts of the width of its image: 136° to 2.9°.
+const FOCAL_LENGTHS: [f64; 2] = [0.2, 20.0];
+/// Baselines lie between these.
+const BASELINES_M: [f64; 2] = [0.001, 5.0];
+/// The distance of two lenses above which a number is hardly one of meters.
+const MOST_METERS: f64 = 1.5;
+/// doffs and the principal points agree to this, in pixels.
+const SAME_PX: f64 = 0.1;
+
+/// What a file says of a camera in pixels: fx, fy, cx, cy.
+pub(crate) type Pinhole = [f64; 4];
+
+/// A camera of `[fx, fy, cx, cy]`, or a refusal where its focal length is none.
+pub(crate) fn camera(
+    format: Format,
+    name: &str,
+    pinhole: Pinhole,
+    (size, basis, line): (Option<[u32; 2]>, Basis, usize),
+) -> Result<Camera, Refusal> {
+    let [fx, fy, cx, cy] = pinhole;
+    for focal in [fx, fy] {
+        if !focal.is_finite() || focal <= 0.0 {
+            return Err(Refusal::FocalLength { format, fx: focal, line });
+        }
+    }
+    if let Some((name, value)) = [("cx", cx), ("cy", cy)].into_iter().find(|(_, value)| !value.is_finite()) {
+        return Err(Refusal::NotANumber {
+            format,
+            name: name.to_owned(),
+            line,
+            text: value.to_string(),
+        });
+    }
+    let [fx, fy, cx, cy] = pinhole.map(Pixels::new);
+    Ok(Camera {
+        name: name.to_owned(),
+        size,
+        fx,
+        fy,
+        cx,
+        cy,
+        basis,
+        line,
+    })
+}
+
+/// Why rectified values cannot be used, in a few words; `None` where they can.
+pub(crate) fn unusable([fx, fy, cx, cy]: Pinhole, size: Option<[u32; 2]>) -> Option<String> {
+    if ![fx, fy, cx, cy].into_iter().all(f64::is_finite) {
+        return Some("not all of it is numbers".to_owned());
+    }
+    if fx <= 0.0 || fy <= 0.0 {
+        return Some(format!("its focal length is {fx} px"));
+    }
+    if cx <= 0.0 || cy <= 0.0 {
+        return Some(format!("its principal point is at {cx}, {cy}"));
+    }
+    let [width, _] = size?.map(f64::from);
+    let [least, most] = FOCAL_LENGTHS;
+    if fx < least * width || fx > most * width {
+        return Some(format!("its focal length is {fx} px where the image is {width} px wide"));
+    }
+    None
+}
+
+/// Adds to `found` what follows from its numbers alone.
+pub(crate) fn remark(found: &mut Found) {
+    let mut warnings = Vec::new();
+    for camera in &found.cameras {
+        let Some([width, height]) = camera.size else { continue };
+        let sides = [(camera.cx, width), (camera.cy, height)];
+        let outside = sides.into_iter().find(|(at, side)| at.px() > f64::from(*side) || at.px() < 0.0);
+        if let Some((principal, side)) = outside {
+            warnings.push(Warning::SizeContradicts {
+                principal: principal.px(),
+                side,
+            });
+        }
+        let [least, most] = FOCAL_LENGTHS.map(|part| part * f64::from(width));
+        // Where the size is wrong, the focal length is judged by it in vain.
+        if outside.is_none() && (camera.fx.px() < least || camera.fx.px() > most) {
+            warnings.push(Warning::FocalLength { fx: camera.fx, width });
+        }
+    }
+    match found.baseline {
+        Some(Baseline::InFileUnits { value, guess }) => warnings.push(Warning::UnitUnknown { value, guess }),
+        Some(Baseline::Known(baseline)) => {
+            let [least, most] = BASELINES_M;
+            if baseline.m() < least || baseline.m() > most {
+                warnings.push(Warning::Implausible { baseline });
+            }
+        }
+        None => {}
+    }
+    warnings.dedup();
+    found.warnings.append(&mut warnings);
+}
+
+/// A baseline of `value` in a unit that the file does not say.
+pub(crate) fn in_file_units(value: f64, square: Option<f64>) -> Baseline {
+    let guess = match square {
+        Some(size) => Guess::Squares { size },
+        None if value > MOST_METERS => Guess::Unit(LengthUnit::Millimeter),
+        None => Guess::Unit(LengthUnit::Meter),
+    };
+    Baseline::InFileUnits { value, guess }
+}
+
+/// A baseline of so many meters; `None` where both cameras stand at the same place.
+pub(crate) fn in_meters(meters: f64, warnings: &mut Vec<Warning>) -> Option<Baseline> {
+    if meters > 0.0 && meters.is_finite() {
+        return Some(Baseline::Known(Length::from_m(meters)));
+    }
+    warnings.push(Warning::ZeroBaseline);
+    None
+}
+
+/// The offset of the principal points of a rectified pair; also where the file has one of its own, which then counts.
+pub(crate) fn doffs(left: &Camera, right: &Camera, of_file: Option<f64>, warnings: &mut Vec<Warning>) -> Pixels {
+    let of_points = Pixels::new(right.cx.px() - left.cx.px());
+    let Some(of_file) = of_file.map(Pixels::new) else {
+        return of_points;
+    };
+    if (of_file.px() - of_points.px()).abs() > SAME_PX {
+        warnings.push(Warning::Doffs { of_file, of_points });
+    }
+    of_file
+}

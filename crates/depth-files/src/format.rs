@@ -1,0 +1,60 @@
+//! The formats.
+
+/// Who writes such files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// OpenCV’s FileStorage, and the same names in JSON, YAML or XML.
+    OpenCv,
+    /// camera_info of ROS: calibration, echo of a topic, or the text of the calibrator (ost.txt).
+    Ros,
+    /// camchain.yaml.
+    Kalibr,
+    /// calib.txt of Middlebury and ETH3D.
+    Middlebury,
+    /// calib.txt and calib_cam_to_cam.txt.
+    Kitti,
+    /// cameras.txt.
+    Colmap,
+    /// Settings of ORB-SLAM2 and ORB-SLAM3.
+    OrbSlam,
+    /// SN*.conf of Stereolabs.
+    Zed,
+    /// What `rs-enumerate-devices -c` prints.
+    RealSense,
+    /// sensor.yaml.
+    Euroc,
+}
+
+impl Format {
+    /// The name that scripts get.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::OpenCv => "opencv",
+            Self::Ros => "ros",
+            Self::Kalibr => "kalibr",
+            Self::Middlebury => "middlebury",
+            Self::Kitti => "kitti",
+            Self::Colmap => "colmap",
+            Self::OrbSlam => "orbslam",
+            Self::Zed => "zed",
+            Self::RealSense => "realsense",
+            Self::Euroc => "euroc",
+        }
+    }
+
+    /// What people call such a file.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::OpenCv => "a calibration of OpenCV",
+            Self::Ros => "camera_info of ROS",
+            Self::Kalibr => "a camchain of Kalibr",
+            Self::Middlebury => "a calib.txt of Middlebury",
+            Self::Kitti => "a calibration of KITTI",
+            Self::Colmap => "cameras.txt of COLMAP",
+            Self::OrbSlam => "settings of ORB-SLAM",
+            Self::Zed => "a calibration of a ZED camera",
+            Self::RealSense => "what rs-enumerate-devices prints",
+            Self::Euroc => "a sensor.yaml of EuRoC",
+        }
+    }
+}

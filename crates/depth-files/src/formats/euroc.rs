@@ -1,0 +1,78 @@
+//! EuRoC: sensor.yaml, one for each camera. Meters.
+//!
+//! Source: Burri et al.: The EuRoC micro aerial vehicle datasets, 2016: `T_BS` leads from the sensor to the body.
+
+use super::matrix::size;
+use crate::checks::{camera, in_meters};
+use crate::format::Format;
+use crate::found::{Basis, Camera, Found, Warning};
+use crate::geometry::{Transform, Vector, distance};
+use crate::node::Node;
+use crate::refusal::Refusal;
+
+const FORMAT: Format = Format::Euroc;
+
+pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
+    let mut found = Found {
+        format: FORMAT,
+        cameras: Vec::new(),
+        pair: None,
+        baseline: None,
+        doffs: None,
+        warnings: Vec::new(),
+        ignored: Vec::new(),
+    };
+    let mut places = Vec::new();
+    for (index, document) in documents.iter().enumerate() {
+        let (camera, place) = read_camera(index, document, &mut found.warnings)?;
+        found.cameras.push(camera);
+        places.push(place);
+    }
+    match places.as_slice() {
+        [Some(first), Some(second), ..] => {
+            found.pair = Some([0, 1]);
+            found.warnings.push(Warning::Raw { format: FORMAT });
+            found.baseline = in_meters(distance(*first, *second), &mut found.warnings);
+        }
+        [_] => found.warnings.push(Warning::OneOfPair { other: "of cam1" }),
+        _ => found.warnings.push(Warning::NoBaseline { format: FORMAT }),
+    }
+    Ok(found)
+}
+
+fn read_camera(index: usize, document: &Node, warnings: &mut Vec<Warning>) -> Result<(Camera, Option<Vector>), Refusal> {
+    let text = |key: &str| document.get(key).and_then(Node::text).unwrap_or_default().to_owned();
+    let Some(intrinsics) = document.get("intrinsics") else {
+        return Err(Refusal::Other {
+            what: "the sensor.yaml of an IMU or another sensor, not of a camera",
+            todo: "Give those of cam0 and cam1.",
+        });
+    };
+    let model = text("camera_model");
+    if !["", "pinhole"].contains(&model.as_str()) {
+        return Err(Refusal::NotPinhole {
+            format: FORMAT,
+            model,
+            line: document.line,
+        });
+    }
+    let name = format!("cam{index}");
+    let distortion = text("distortion_model");
+    if distortion == "equidistant" {
+        warnings.push(Warning::Fisheye {
+            camera: name.clone(),
+            model: distortion,
+        });
+    }
+    let size = match document.get("resolution") {
+        Some(node) => size(node.array(FORMAT, "resolution", "2")?),
+        None => None,
+    };
+    let pinhole = intrinsics.array(FORMAT, "intrinsics", "4")?;
+    let camera = camera(FORMAT, &name, pinhole, (size, Basis::Raw, intrinsics.line))?;
+    let place = match document.get("T_BS") {
+        Some(node) => Some(Transform::read(node, FORMAT, "T_BS")?.shift),
+        None => None,
+    };
+    Ok((camera, place))
+}

@@ -1,0 +1,58 @@
+//! What camera matrices and projection matrices say.
+
+use crate::checks::Pinhole;
+use crate::found::Warning;
+
+/// Two numbers as width and height, where they are some.
+pub(super) fn size([width, height]: [f64; 2]) -> Option<[u32; 2]> {
+    let side = |number: f64| {
+        let is_side = (1.0..=100_000.0).contains(&number) && number.fract() == 0.0;
+        // Exact: a whole number below 2¹⁷.
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        is_side.then_some(number as u32)
+    };
+    Some([side(width)?, side(height)?])
+}
+
+/// The numbers of a camera matrix, row after row, as fx, fy, cx, cy.
+pub(super) const fn of_matrix([fx, _, cx, _, fy, cy, ..]: [f64; 9]) -> Pinhole {
+    [fx, fy, cx, cy]
+}
+
+/// A projection matrix of a rectified camera: P = K·(I | t) with t along the row or the column of the images.
+///
+/// Source: ROS REP 104 and `sensor_msgs/CameraInfo`: `Tx = −fx′·B`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Projection {
+    pub(super) pinhole: Pinhole,
+    /// `P[0][3]` and `P[1][3]`.
+    pub(super) shift: [f64; 2],
+}
+
+impl Projection {
+    pub(super) const fn new([fx, _, cx, tx, _, fy, cy, ty, ..]: [f64; 12]) -> Self {
+        Self {
+            pinhole: [fx, fy, cx, cy],
+            shift: [tx, ty],
+        }
+    }
+
+    /// How far `right` stands to the right of this camera, and how far below, in the unit of the file.
+    pub(super) fn to(self, right: Self) -> [f64; 2] {
+        let [fx, fy, ..] = right.pinhole;
+        let ([tx, ty], [ux, uy]) = (self.shift, right.shift);
+        [(tx - ux) / fx, (ty - uy) / fy]
+    }
+}
+
+/// The length of a baseline with these parts, and what is to be said of its direction.
+pub(super) fn baseline([right, down]: [f64; 2], warnings: &mut Vec<Warning>) -> f64 {
+    if right == 0.0 && down == 0.0 {
+        warnings.push(Warning::ZeroBaseline);
+    } else if down.abs() > right.abs() {
+        warnings.push(Warning::Vertical);
+    } else if right < 0.0 {
+        warnings.push(Warning::Swapped);
+    }
+    if down.abs() > right.abs() { down.abs() } else { right.abs() }
+}

@@ -1,0 +1,80 @@
+//! Middlebury and ETH3D: calib.txt. Millimeters.
+//!
+//! Source: the description of the Middlebury 2014 stereo data sets: Z = baseline · f / (d + doffs).
+
+use super::matrix::{of_matrix, size};
+use crate::checks::{camera, doffs};
+use crate::format::Format;
+use crate::found::{Baseline, Basis, Found, Warning};
+use crate::refusal::Refusal;
+use crate::text::{Line, lines};
+use depth_core::quantity::{Length, LengthUnit};
+
+const FORMAT: Format = Format::Middlebury;
+/// What such a file has besides, of which nothing is needed here.
+const OTHERS: [&str; 6] = ["ndisp", "isint", "vmin", "vmax", "dyavg", "dymax"];
+const USED: [&str; 6] = ["cam0", "cam1", "doffs", "baseline", "width", "height"];
+
+pub(super) fn read(text: &str) -> Result<Found, Refusal> {
+    let pairs: Vec<(&str, Line<'_>)> = lines(text)
+        .filter_map(|line| {
+            let (key, value) = line.text.split_once('=')?;
+            let value = value.trim();
+            Some((key.trim(), Line { text: value, ..line }))
+        })
+        .collect();
+    let get = |key: &str| pairs.iter().find(|(name, _)| name.eq_ignore_ascii_case(key)).map(|(_, line)| *line);
+    let number = |key: &str| get(key).map(|line| line.array::<1>(line.text, FORMAT, key, "1")).transpose();
+    let size = match (number("width")?, number("height")?) {
+        (Some([width]), Some([height])) => size([width, height]),
+        _ => None,
+    };
+    let mut found = Found {
+        format: FORMAT,
+        cameras: Vec::new(),
+        pair: None,
+        baseline: None,
+        doffs: None,
+        warnings: Vec::new(),
+        ignored: ignored(text),
+    };
+    for name in ["cam0", "cam1"] {
+        if let Some(line) = get(name) {
+            let matrix = of_matrix(line.array(line.text, FORMAT, name, "9")?);
+            found
+                .cameras
+                .push(camera(FORMAT, name, matrix, (size, Basis::Rectified, line.number))?);
+        }
+    }
+    if let Some([value]) = number("baseline")? {
+        if value < 0.0 {
+            found.warnings.push(Warning::NegativeBaseline);
+        }
+        if value == 0.0 {
+            found.warnings.push(Warning::ZeroBaseline);
+        } else {
+            found.baseline = Some(Baseline::Known(Length::new(value.abs(), LengthUnit::Millimeter)));
+        }
+    } else {
+        found.warnings.push(Warning::NoBaseline { format: FORMAT });
+    }
+    if let [left, right] = found.cameras.as_slice() {
+        found.pair = Some([0, 1]);
+        let of_file = number("doffs")?.map(|[value]| value);
+        found.doffs = Some(doffs(left, right, of_file, &mut found.warnings));
+    }
+    Ok(found)
+}
+
+fn ignored(text: &str) -> Vec<String> {
+    let is_known = |line: &str| {
+        let key = line.split('=').next().unwrap_or_default().trim().to_ascii_lowercase();
+        line.contains('=') && USED.iter().chain(&OTHERS).any(|name| *name == key)
+    };
+    let others: Vec<usize> = lines(text).filter(|line| !is_known(line.text)).map(|line| line.number).collect();
+    match others.as_slice() {
+        [] => Vec::new(),
+        [line] => vec![format!("line {line}: no part of such a file")],
+        [first, .., last] => vec![format!("lines {first} to {last}: no part of such a file")],
+    }
+}

@@ -1,0 +1,138 @@
+//! OpenCV: what `stereoCalibrate` and `stereoRectify` give, in FileStorage or in anything else with the same names.
+//!
+//! Source: the samples of OpenCV, `stereo_calib.cpp`; `P2[0][3] = −fx·b`, in the unit of the board.
+
+use super::matrix::{Projection, baseline, of_matrix, size};
+use super::opencv_names::{Matrices, SIZES, SQUARES, TRANSLATIONS, WIDTHS, find, parts};
+use crate::checks::{camera, doffs, in_file_units, unusable};
+use crate::format::Format;
+use crate::found::{Baseline, Basis, Camera, Found, Warning};
+use crate::geometry::length;
+use crate::node::Node;
+use crate::refusal::Refusal;
+use depth_core::quantity::{Length, LengthUnit};
+
+const FORMAT: Format = Format::OpenCv;
+type Parts<'a> = [(String, &'a Node)];
+
+pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
+    let parts: Vec<(String, &Node)> = documents.iter().flat_map(|document| parts(document)).collect();
+    let mut found = Found {
+        format: FORMAT,
+        cameras: Vec::new(),
+        pair: None,
+        baseline: None,
+        doffs: None,
+        warnings: Vec::new(),
+        ignored: Vec::new(),
+    };
+    let size = read_size(&parts)?;
+    if !read_rectified(&mut found, &parts, size)? {
+        read_raw(&mut found, &parts, size)?;
+    }
+    if found.cameras.len() == 2 {
+        found.pair = Some([0, 1]);
+    }
+    if let Some(known) = known_baseline(&parts)? {
+        found.baseline = Some(known);
+    } else if found.baseline.is_none() && found.cameras.len() == 1 {
+        found.warnings.push(Warning::NoBaseline { format: FORMAT });
+    } else if found.baseline.is_none() && found.warnings.iter().all(|one| matches!(one, Warning::Raw { .. })) {
+        found.warnings.push(Warning::NoExtrinsics);
+    }
+    Ok(found)
+}
+
+/// Reads P1 and P2. Returns whether they can be used.
+fn read_rectified(found: &mut Found, parts: &Parts<'_>, size: Option<[u32; 2]>) -> Result<bool, Refusal> {
+    let Matrices {
+        first: Some(first),
+        second: Some(second),
+    } = Matrices::projections(parts)
+    else {
+        return Ok(false);
+    };
+    let [left, right] = [projection(first, "P1")?, projection(second, "P2")?];
+    if let Some(why) = unusable(left.pinhole, size).or_else(|| unusable(right.pinhole, size)) {
+        found.warnings.push(Warning::RectificationUnusable { why });
+        return Ok(false);
+    }
+    let cameras = [("left", left, first), ("right", right, second)];
+    for (name, projection, node) in cameras {
+        let place = (size, Basis::Rectified, node.line);
+        found.cameras.push(camera(FORMAT, name, projection.pinhole, place)?);
+    }
+    let value = baseline(left.to(right), &mut found.warnings);
+    found.baseline = (value > 0.0).then(|| in_file_units(value, square(parts)));
+    if let [left, right] = found.cameras.as_slice() {
+        found.doffs = Some(doffs(left, right, None, &mut found.warnings));
+    }
+    Ok(true)
+}
+
+/// P is 3 × 4, and without its last column where somebody cut it off.
+fn projection(node: &Node, name: &str) -> Result<Projection, Refusal> {
+    if node.numbers(FORMAT, name)?.len() == 9 {
+        let [fx, s, cx, a, fy, cy, b, c, d] = node.array(FORMAT, name, "9")?;
+        return Ok(Projection::new([fx, s, cx, 0.0, a, fy, cy, 0.0, b, c, d, 0.0]));
+    }
+    Ok(Projection::new(node.array(FORMAT, name, "12")?))
+}
+
+/// Reads M1 and M2, or the one camera matrix, and T.
+fn read_raw(found: &mut Found, parts: &Parts<'_>, size: Option<[u32; 2]>) -> Result<(), Refusal> {
+    let matrices = Matrices::cameras(parts);
+    let read = |name: &str, node: &Node| -> Result<Camera, Refusal> {
+        let matrix = of_matrix(node.array(FORMAT, "the camera matrix", "9")?);
+        camera(FORMAT, name, matrix, (size, Basis::Raw, node.line))
+    };
+    let (Some(first), second) = (matrices.first, matrices.second) else {
+        return Err(Refusal::Missing {
+            format: FORMAT,
+            what: "camera matrix: give the file of the intrinsics as well",
+        });
+    };
+    found.cameras.push(read(if second.is_some() { "left" } else { "camera" }, first)?);
+    if let Some(second) = second {
+        found.cameras.push(read("right", second)?);
+        found.warnings.push(Warning::Raw { format: FORMAT });
+    }
+    if let Some(node) = find(parts, &TRANSLATIONS).filter(|_| second.is_some()) {
+        let [x, y, z]: [f64; 3] = node.array(FORMAT, "T", "3")?;
+        // T leads from the left camera to the right: −b along the row.
+        baseline([-x, -y], &mut found.warnings);
+        let value = length([x, y, z]);
+        found.baseline = (value > 0.0).then(|| in_file_units(value, square(parts)));
+    }
+    Ok(())
+}
+
+/// A baseline whose key names its unit.
+fn known_baseline(parts: &Parts<'_>) -> Result<Option<Baseline>, Refusal> {
+    let units = [
+        ("baselinemm", LengthUnit::Millimeter),
+        ("baselinecm", LengthUnit::Centimeter),
+        ("baselinem", LengthUnit::Meter),
+    ];
+    for (name, unit) in units {
+        if let Some(node) = find(parts, &[name]) {
+            let value = node.number(FORMAT, name)?.abs();
+            return Ok((value > 0.0).then(|| Baseline::Known(Length::new(value, unit))));
+        }
+    }
+    Ok(None)
+}
+
+fn read_size(parts: &Parts<'_>) -> Result<Option<[u32; 2]>, Refusal> {
+    for [width, height] in WIDTHS {
+        if let (Some(width), Some(height)) = (find(parts, &[width]), find(parts, &[height])) {
+            return Ok(size([width.number(FORMAT, "the width")?, height.number(FORMAT, "the height")?]));
+        }
+    }
+    find(parts, &SIZES).map_or(Ok(None), |node| Ok(size(node.array(FORMAT, "the size", "2")?)))
+}
+
+fn square(parts: &Parts<'_>) -> Option<f64> {
+    let numbers = find(parts, &SQUARES)?.numbers(FORMAT, "the square").ok()?;
+    numbers.first().copied().filter(|size| *size > 0.0)
+}

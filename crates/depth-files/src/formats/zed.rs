@@ -1,0 +1,115 @@
+//! ZED: SN*.conf of Stereolabs. Millimeters; the values are of raw images.
+//!
+//! Source: Stereolabs, zed-opencv-native, `calibration.hpp`.
+
+use crate::checks::{Pinhole, camera};
+use crate::format::Format;
+use crate::found::{Baseline, Basis, Found, Warning};
+use crate::number::number;
+use crate::refusal::Refusal;
+use crate::text::lines;
+use depth_core::quantity::{Length, LengthUnit};
+
+const FORMAT: Format = Format::Zed;
+
+/// The modes, by what the names of the sections end with, and the size of their images.
+const MODES: [(&str, [u32; 2]); 7] = [
+    ("2K", [2208, 1242]),
+    ("FHD1200", [1920, 1200]),
+    ("FHD", [1920, 1080]),
+    ("SVGA", [960, 600]),
+    ("HD", [1280, 720]),
+    ("VGA", [672, 376]),
+    ("4K", [3840, 2160]),
+];
+
+/// What stands in a section.
+struct Section {
+    name: String,
+    line: usize,
+    entries: Vec<(String, String, usize)>,
+}
+
+pub(super) fn read(text: &str) -> Result<Found, Refusal> {
+    let sections = sections(text);
+    let mut found = Found {
+        format: FORMAT,
+        cameras: Vec::new(),
+        pair: None,
+        baseline: None,
+        doffs: None,
+        warnings: vec![Warning::Raw { format: FORMAT }],
+        ignored: Vec::new(),
+    };
+    for section in &sections {
+        let Some((side, mode)) = section.name.split_once("_CAM_") else {
+            continue;
+        };
+        let size = MODES.iter().find(|(name, _)| *name == mode).map(|(_, size)| *size);
+        let name = format!("{} {mode}", side.to_ascii_lowercase());
+        let place = (size, Basis::Raw, section.line);
+        found.cameras.push(camera(FORMAT, &name, pinhole(section)?, place)?);
+    }
+    let stereo = sections.iter().find(|section| section.name == "STEREO");
+    match stereo.and_then(|section| section.entries.iter().find(|(key, ..)| key == "baseline")) {
+        Some((_, text, line)) => {
+            let value = number(text.trim_end_matches("mm")).ok_or_else(|| not_a_number("Baseline", text, *line))?;
+            if value < 0.0 {
+                found.warnings.push(Warning::NegativeBaseline);
+            }
+            found.baseline = (value != 0.0).then(|| Baseline::Known(Length::new(value.abs(), LengthUnit::Millimeter)));
+        }
+        None => found.warnings.push(Warning::NoBaseline { format: FORMAT }),
+    }
+    if found.cameras.len() >= 2 {
+        found.pair = Some([0, 1]);
+    }
+    if let [left, right, _, ..] = found.cameras.as_slice() {
+        let pair = Some([left.name.clone(), right.name.clone()]);
+        found.warnings.push(Warning::Many {
+            cameras: found.cameras.len(),
+            pair,
+        });
+    }
+    Ok(found)
+}
+
+fn pinhole(section: &Section) -> Result<Pinhole, Refusal> {
+    let mut pinhole: Pinhole = [0.0; 4];
+    for (value, name) in pinhole.iter_mut().zip(["fx", "fy", "cx", "cy"]) {
+        let Some((_, text, line)) = section.entries.iter().find(|(key, ..)| key == name) else {
+            return Err(Refusal::Missing {
+                format: FORMAT,
+                what: "fx, fy, cx or cy",
+            });
+        };
+        *value = number(text).ok_or_else(|| not_a_number(name, text, *line))?;
+    }
+    Ok(pinhole)
+}
+
+fn not_a_number(name: &str, text: &str, line: usize) -> Refusal {
+    Refusal::NotANumber {
+        format: FORMAT,
+        name: name.to_owned(),
+        line,
+        text: text.to_owned(),
+    }
+}
+
+fn sections(text: &str) -> Vec<Section> {
+    let mut all: Vec<Section> = Vec::new();
+    for line in lines(text) {
+        if let Some(name) = line.text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+            all.push(Section {
+                name: name.trim().to_ascii_uppercase(),
+                line: line.number,
+                entries: Vec::new(),
+            });
+        } else if let (Some(section), Some((key, value))) = (all.last_mut(), line.text.split_once('=')) {
+            let entry = (key.trim().to_ascii_lowercase(), value.trim().to_owned(), line.number);
+            section.entries.push(entry);
+        }
+    }
+    all
+}

@@ -1,0 +1,45 @@
+//! Where cameras are to each other.
+//!
+//! Source: Hartley, Zisserman: Multiple View Geometry, 2nd ed., section 6.1: a camera that sees a point X at R·X + t stands at −Rᵀ·t.
+
+use crate::format::Format;
+use crate::node::Node;
+use crate::refusal::Refusal;
+
+/// A place or a direction.
+pub(crate) type Vector = [f64; 3];
+
+/// A rotation and a shift: a point X of one frame is at R·X + t in another.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Transform {
+    rotation: [Vector; 3],
+    pub(crate) shift: Vector,
+}
+
+impl Transform {
+    /// Of a 4 × 4 matrix, row after row.
+    pub(crate) fn read(node: &Node, format: Format, name: &str) -> Result<Self, Refusal> {
+        let [a, b, c, x, d, e, f, y, g, h, i, z, ..] = node.array::<16>(format, name, "16")?;
+        Ok(Self {
+            rotation: [[a, b, c], [d, e, f], [g, h, i]],
+            shift: [x, y, z],
+        })
+    }
+
+    /// Where the origin of the other frame is in the first: −Rᵀ·t.
+    pub(crate) fn origin(self) -> Vector {
+        let [[a, b, c], [d, e, f], [g, h, i]] = self.rotation;
+        let [x, y, z] = self.shift;
+        [-(a * x + d * y + g * z), -(b * x + e * y + h * z), -(c * x + f * y + i * z)]
+    }
+}
+
+pub(crate) fn distance(from: Vector, to: Vector) -> f64 {
+    let [x, y, z] = from;
+    let [u, v, w] = to;
+    length([u - x, v - y, w - z])
+}
+
+pub(crate) fn length([x, y, z]: Vector) -> f64 {
+    x.hypot(y).hypot(z)
+}

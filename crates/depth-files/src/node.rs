@@ -1,0 +1,102 @@
+//! What a structured file holds, whatever it is written in: texts, lists and maps, each with its line.
+
+use crate::format::Format;
+use crate::number::number;
+use crate::refusal::Refusal;
+
+/// A part of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Node {
+    /// Counted from 1.
+    pub(crate) line: usize,
+    pub(crate) value: Value,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Value {
+    Text(String),
+    List(Vec<Node>),
+    Map(Vec<(String, Node)>),
+}
+
+impl Node {
+    /// The part with this key, in whatever case.
+    pub(crate) fn get(&self, key: &str) -> Option<&Self> {
+        self.entries()
+            .find(|(name, _)| name.eq_ignore_ascii_case(key))
+            .map(|(_, node)| node)
+    }
+
+    /// What a map holds, in the order of the file; nothing for anything else.
+    pub(crate) fn entries(&self) -> impl Iterator<Item = (&str, &Self)> {
+        let entries: &[(String, Self)] = match &self.value {
+            Value::Map(entries) => entries,
+            _ => &[],
+        };
+        entries.iter().map(|(key, node)| (key.as_str(), node))
+    }
+
+    /// What a list holds; nothing for anything else.
+    pub(crate) fn items(&self) -> &[Self] {
+        match &self.value {
+            Value::List(items) => items,
+            _ => &[],
+        }
+    }
+
+    pub(crate) fn text(&self) -> Option<&str> {
+        match &self.value {
+            Value::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// All numbers in it, row after row: of a list of lists, of a text with blanks between them, or of a matrix as OpenCV and ROS write it,
+    /// with `rows`, `cols` and `data`. `name`: what to call it where something in it is no number.
+    pub(crate) fn numbers(&self, format: Format, name: &str) -> Result<Vec<f64>, Refusal> {
+        match &self.value {
+            Value::Map(_) => match self.get("data") {
+                Some(data) => data.numbers(format, name),
+                None => Err(self.is_no_number(format, name, "a map")),
+            },
+            Value::List(items) => {
+                let all = items.iter().map(|item| item.numbers(format, name)).collect::<Result<Vec<_>, _>>()?;
+                Ok(all.concat())
+            }
+            Value::Text(text) => {
+                let parts = text.split_whitespace();
+                parts
+                    .map(|part| number(part).ok_or_else(|| self.is_no_number(format, name, part)))
+                    .collect()
+            }
+        }
+    }
+
+    /// As many numbers as are expected. `rows` says how many in words.
+    pub(crate) fn array<const N: usize>(&self, format: Format, name: &str, expected: &'static str) -> Result<[f64; N], Refusal> {
+        let numbers = self.numbers(format, name)?;
+        let count = numbers.len();
+        <[f64; N]>::try_from(numbers).map_err(|_| Refusal::Count {
+            format,
+            name: name.to_owned(),
+            line: self.line,
+            count,
+            expected,
+        })
+    }
+
+    /// One number.
+    pub(crate) fn number(&self, format: Format, name: &str) -> Result<f64, Refusal> {
+        let [number] = self.array(format, name, "1")?;
+        Ok(number)
+    }
+
+    fn is_no_number(&self, format: Format, name: &str, text: &str) -> Refusal {
+        Refusal::NotANumber {
+            format,
+            name: name.to_owned(),
+            line: self.line,
+            text: text.chars().take(40).collect(),
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! Numbers as programs print them.
+
+/// The number that `text` is: `861.`, `.5`, `7.5e+002`, `-0.0`, `752.0f`; also `nan` and `inf` in the spellings of YAML and Python.
+pub(crate) fn number(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let lower = text.to_ascii_lowercase();
+    match lower.trim_start_matches(['+', '-']) {
+        ".nan" | "nan" => return Some(f64::NAN),
+        ".inf" | "inf" | "infinity" => return Some(if lower.starts_with('-') { f64::NEG_INFINITY } else { f64::INFINITY }),
+        _ => {}
+    }
+    // Rust reads words that are no numbers of a file.
+    if !text.contains(|character: char| character.is_ascii_digit()) {
+        return None;
+    }
+    let text = text.strip_suffix(['f', 'F']).unwrap_or(text);
+    text.parse().ok()
+}
+
+/// The numbers in a line that holds nothing else: with blanks, commas or semicolons between them, in brackets or not.
+pub(crate) fn numbers(line: &str) -> Option<Vec<f64>> {
+    let parts = line.split(|character: char| character.is_whitespace() || "[](){},;".contains(character));
+    parts.filter(|part| !part.is_empty()).map(number).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests")]
+
+    use super::{number, numbers};
+
+    #[test]
+    fn numbers_are_read_as_programs_print_them() {
+        for (text, value) in [
+            ("861.", 861.0),
+            (".5", 0.5),
+            ("7.5e+002", 750.0),
+            ("-0.", 0.0),
+            ("640.0f", 640.0),
+            (" 7 ", 7.0),
+        ] {
+            assert_eq!(number(text), Some(value), "{text}");
+        }
+        assert!(number(".NaN").unwrap().is_nan() && number("-.inf").unwrap() == f64::NEG_INFINITY);
+        for text in ["", "fx", "1,0", "e", "f", "--1", "0x10"] {
+            assert_eq!(number(text), None, "{text}");
+        }
+        assert_eq!(numbers("[3980 0 1244.75; 0, 1]"), Some(vec![3980.0, 0.0, 1244.75, 0.0, 1.0]));
+        assert_eq!(numbers("1 two"), None);
+    }
+}

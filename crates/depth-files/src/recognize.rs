@@ -1,0 +1,66 @@
+//! What a file is written in, by what is in it.
+
+use crate::carrier::{File, of_xml, text};
+use crate::format::Format;
+use crate::formats::{is_colmap, is_kitti};
+use crate::refusal::Refusal;
+use crate::text::lines;
+use crate::yaml;
+
+/// What `bytes` are.
+pub(crate) fn read(bytes: &[u8]) -> Result<File, Refusal> {
+    let text = text(bytes)?;
+    let start = text.trim_start();
+    if start.is_empty() {
+        return Err(Refusal::Empty);
+    }
+    let lower: String = start.chars().take(200).collect::<String>().to_ascii_lowercase();
+    if lower.starts_with("<!doctype html") || lower.starts_with("<html") {
+        return Err(Refusal::Other {
+            what: "a web page, not a calibration",
+            todo: "Download the file itself.",
+        });
+    }
+    if lower.contains("no device detected") {
+        return Err(Refusal::Other {
+            what: "what rs-enumerate-devices prints without a device",
+            todo: "Plug the camera in and run it again.",
+        });
+    }
+    if start.starts_with('<') {
+        return of_xml(start);
+    }
+    if let Some(format) = of_lines(&text) {
+        return Ok(File::Lines(format, text));
+    }
+    let documents = yaml::documents(&text)?;
+    let has_maps = documents.iter().any(|document| document.entries().next().is_some());
+    if has_maps {
+        Ok(File::Trees(documents))
+    } else {
+        Err(Refusal::Unknown)
+    }
+}
+
+/// The format of a file of lines, by the first line that only it has.
+fn of_lines(text: &str) -> Option<Format> {
+    let all = lines(text).map(|line| line.text);
+    let begins = |starts: &dyn Fn(&str) -> bool| all.clone().any(starts);
+    let compact = |line: &str| line.replace(' ', "").to_ascii_lowercase();
+    if text.contains("Intrinsic of \"") {
+        return Some(Format::RealSense);
+    }
+    if begins(&|line| line.starts_with("# oST version")) {
+        return Some(Format::Ros);
+    }
+    if begins(&|line| compact(line).starts_with("[left_cam_") || compact(line).starts_with("[right_cam_")) {
+        return Some(Format::Zed);
+    }
+    if begins(&|line| compact(line).starts_with("cam0=[")) {
+        return Some(Format::Middlebury);
+    }
+    if is_kitti(text) {
+        return Some(Format::Kitti);
+    }
+    is_colmap(text).then_some(Format::Colmap)
+}

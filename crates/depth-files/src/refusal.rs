@@ -1,0 +1,50 @@
+//! Why a file cannot be read.
+
+use crate::format::Format;
+
+/// Why a file cannot be read. The sentence is its `Display`. Lines are counted from 1.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(missing_docs, reason = "the fields are what the sentences say, by name")]
+pub enum Refusal {
+    /// There is nothing in it.
+    Empty,
+    /// More than 16 MB.
+    TooLarge,
+    /// Bytes that are no text, what they are if that can be told, and what to do.
+    Binary { what: Option<&'static str>, todo: &'static str },
+    /// Something that is known, and no calibration: what, and what to do.
+    Other { what: &'static str, todo: &'static str },
+    /// It ends early, or is not what it begins as.
+    Syntax { what: &'static str, line: usize, reason: String },
+    /// Brackets within brackets.
+    TooDeep,
+    /// Aliases of YAML that stand for more than any calibration holds.
+    TooMuch,
+    /// A word or nothing where a number belongs.
+    NotANumber {
+        format: Format,
+        name: String,
+        line: usize,
+        text: String,
+    },
+    /// So many numbers, where it should be others.
+    Count {
+        format: Format,
+        name: String,
+        line: usize,
+        count: usize,
+        expected: &'static str,
+    },
+    /// Something without which there is no camera.
+    Missing { format: Format, what: &'static str },
+    /// A model whose first number is no focal length.
+    NotPinhole { format: Format, model: String, line: usize },
+    /// A focal length that none is.
+    FocalLength { format: Format, fx: f64, line: usize },
+    /// Files that do not go together.
+    Mixed { formats: [Format; 2] },
+    /// Nothing that is known here.
+    Unknown,
+}
+
+impl std::error::Error for Refusal {}

@@ -1,0 +1,41 @@
+//! Files of lines.
+
+use crate::format::Format;
+use crate::number::numbers;
+use crate::refusal::Refusal;
+
+/// A line, counted from 1.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Line<'a> {
+    pub(crate) number: usize,
+    pub(crate) text: &'a str,
+}
+
+/// The lines of `text` that hold something, without blanks around them.
+pub(crate) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> + Clone {
+    let all = text.lines().enumerate().map(|(index, text)| Line {
+        number: index + 1,
+        text: text.trim(),
+    });
+    all.filter(|line| !line.text.is_empty())
+}
+
+impl Line<'_> {
+    /// As many numbers as are expected, and nothing else.
+    pub(crate) fn array<const N: usize>(self, text: &str, format: Format, name: &str, expected: &'static str) -> Result<[f64; N], Refusal> {
+        let all = numbers(text).ok_or_else(|| Refusal::NotANumber {
+            format,
+            name: name.to_owned(),
+            line: self.number,
+            text: text.trim().chars().take(40).collect(),
+        })?;
+        let count = all.len();
+        <[f64; N]>::try_from(all).map_err(|_| Refusal::Count {
+            format,
+            name: name.to_owned(),
+            line: self.number,
+            count,
+            expected,
+        })
+    }
+}

@@ -1,0 +1,38 @@
+//! XML as OpenCV writes it, as a [`Node`].
+
+use crate::node::{Node, Value};
+use crate::refusal::Refusal;
+use roxmltree::{Document, ParsingOptions};
+
+/// What the document holds below its first element. Also says what that is called.
+pub(crate) fn document(text: &str) -> Result<(String, Node), Refusal> {
+    // No calibration has a document type, with which entities come that stand for more than memory holds.
+    let options = ParsingOptions {
+        allow_dtd: false,
+        nodes_limit: 2_000_000,
+        ..ParsingOptions::default()
+    };
+    let document = Document::parse_with_options(text, options).map_err(|error| Refusal::Syntax {
+        what: "XML",
+        line: usize::try_from(error.pos().row).unwrap_or(1),
+        reason: error.to_string(),
+    })?;
+    let root = document.root_element();
+    Ok((root.tag_name().name().to_owned(), node(root)))
+}
+
+fn node(element: roxmltree::Node<'_, '_>) -> Node {
+    let line = element.document().text_pos_at(element.range().start).row;
+    let children = element.children().filter(roxmltree::Node::is_element);
+    let entries: Vec<(String, Node)> = children.map(|child| (child.tag_name().name().to_owned(), node(child))).collect();
+    let value = match entries.first() {
+        None => Value::Text(element.text().unwrap_or_default().trim().to_owned()),
+        // A sequence of OpenCV.
+        Some(_) if entries.iter().all(|(name, _)| name == "_") => Value::List(entries.into_iter().map(|(_, node)| node).collect()),
+        Some(_) => Value::Map(entries),
+    };
+    Node {
+        line: usize::try_from(line).unwrap_or(1),
+        value,
+    }
+}

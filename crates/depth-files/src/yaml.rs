@@ -1,0 +1,160 @@
+//! YAML and JSON as a [`Node`], also as OpenCV and ORB-SLAM write it, which is no YAML.
+
+use crate::node::{Node, Value};
+use crate::refusal::Refusal;
+use saphyr_parser::{Event, Parser, ScanError, Span, StrInput};
+
+/// No calibration nests deeper: OpenCV’s have three levels, DepthAI’s eight.
+const DEEPEST: usize = 64;
+/// No calibration holds more: point lists of OpenCV have 10 000 numbers.
+const MOST: usize = 2_000_000;
+
+/// Every document of `text` that holds something.
+pub(crate) fn documents(text: &str) -> Result<Vec<Node>, Refusal> {
+    let repaired = repaired(text);
+    let mut builder = Builder::default();
+    for event in Parser::new(StrInput::new(&repaired)) {
+        let (event, span) = event.map_err(|error| syntax(text, &error))?;
+        builder.take(event, span)?;
+    }
+    Ok(builder.documents)
+}
+
+fn syntax(text: &str, error: &ScanError) -> Refusal {
+    // The parser’s own limit, deeper than this one’s.
+    if error.info().contains("recursion") {
+        return Refusal::TooDeep;
+    }
+    let what = if text.trim_start().starts_with(['{', '[']) {
+        "JSON"
+    } else {
+        "YAML"
+    };
+    Refusal::Syntax {
+        what,
+        line: error.marker().line(),
+        reason: error.info().to_owned(),
+    }
+}
+
+/// What a parser of YAML 1.2 reads, line for line: without OpenCV’s header and its tags, with the blank behind a colon that OpenCV does not
+/// ask for, and with blanks for tabs.
+fn repaired(text: &str) -> String {
+    let lines = text.lines().map(|line| {
+        // A list goes on further in than its key stands, which one blank would not be.
+        let line = line.replace('\t', "        ");
+        if line.starts_with('%') {
+            return String::new();
+        }
+        spaced(&untagged(&line))
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+fn untagged(line: &str) -> String {
+    let Some(at) = line.find(": !") else { return line.to_owned() };
+    let (before, tag) = line.split_at(at + 2);
+    let end = tag.find(char::is_whitespace).unwrap_or(tag.len());
+    format!("{before}{}", tag.get(end..).unwrap_or_default())
+}
+
+/// `data:[1, 2]` and `Viewer.PointSize:2` with a blank behind the colon.
+fn spaced(line: &str) -> String {
+    let Some((key, value)) = line.split_once(':') else {
+        return line.to_owned();
+    };
+    let is_key = !key.trim().is_empty() && key.trim().chars().all(|one| one.is_ascii_alphanumeric() || "_.-".contains(one));
+    let begins = |first: char| first == '[' || first.is_ascii_digit() || "-.".contains(first);
+    // A time of the day has colons too, behind a key of its own.
+    let is_number = crate::number::number(value.split('#').next().unwrap_or_default()).is_some();
+    if is_key && value.starts_with(begins) && (value.starts_with('[') || is_number) {
+        format!("{key}: {value}")
+    } else {
+        line.to_owned()
+    }
+}
+
+/// Makes nodes of events, and refuses what grows beyond any calibration.
+#[derive(Default)]
+struct Builder {
+    documents: Vec<Node>,
+    /// What is not closed yet.
+    open: Vec<Open>,
+    /// What aliases stand for, by their numbers.
+    anchors: Vec<(usize, Node)>,
+    /// How many nodes there are, those of aliases too.
+    count: usize,
+}
+
+struct Open {
+    node: Node,
+    anchor: usize,
+    /// Of a map: the key whose value comes next.
+    key: Option<String>,
+}
+
+impl Builder {
+    fn take(&mut self, event: Event<'_>, span: Span) -> Result<(), Refusal> {
+        let line = span.start.line();
+        let node = |value| Node { line, value };
+        match event {
+            Event::Scalar(text, _, anchor, _) => self.add(node(Value::Text(text.into_owned())), anchor),
+            Event::SequenceStart(anchor, _) => self.begin(node(Value::List(Vec::new())), anchor),
+            Event::MappingStart(anchor, _) => self.begin(node(Value::Map(Vec::new())), anchor),
+            Event::SequenceEnd | Event::MappingEnd => match self.open.pop() {
+                Some(Open { node, anchor, .. }) => self.add(node, anchor),
+                None => Ok(()),
+            },
+            Event::Alias(anchor) => {
+                let known = self.anchors.iter().find(|(number, _)| *number == anchor);
+                let node = known.map_or_else(|| node(Value::Text(String::new())), |(_, node)| node.clone());
+                self.count += size(&node);
+                self.add(node, 0)
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn begin(&mut self, node: Node, anchor: usize) -> Result<(), Refusal> {
+        if self.open.len() >= DEEPEST {
+            return Err(Refusal::TooDeep);
+        }
+        self.open.push(Open { node, anchor, key: None });
+        Ok(())
+    }
+
+    fn add(&mut self, node: Node, anchor: usize) -> Result<(), Refusal> {
+        self.count += 1;
+        if self.count > MOST {
+            return Err(Refusal::TooMuch);
+        }
+        if anchor > 0 {
+            self.anchors.push((anchor, node.clone()));
+            self.count += size(&node);
+        }
+        let Some(open) = self.open.last_mut() else {
+            if !matches!(&node.value, Value::Text(text) if text.is_empty()) {
+                self.documents.push(node);
+            }
+            return Ok(());
+        };
+        match &mut open.node.value {
+            Value::List(items) => items.push(node),
+            Value::Map(entries) => match open.key.take() {
+                Some(key) => entries.push((key, node)),
+                None => open.key = Some(node.text().unwrap_or_default().to_owned()),
+            },
+            Value::Text(_) => {}
+        }
+        Ok(())
+    }
+}
+
+fn size(node: &Node) -> usize {
+    let inside: usize = match &node.value {
+        Value::Text(_) => 0,
+        Value::List(items) => items.iter().map(size).sum(),
+        Value::Map(entries) => entries.iter().map(|(_, node)| size(node)).sum(),
+    };
+    1 + inside
+}

@@ -1,0 +1,61 @@
+//! Calibration files that are named on the command line, and what they fill in.
+
+use super::ascii::in_sentence;
+use super::file;
+use crate::core::quantity::{Length, LengthUnit};
+use depth_files::{Found, Warning};
+use std::path::PathBuf;
+
+/// Files of one calibration.
+#[derive(Clone, Debug)]
+pub(super) struct Calibration {
+    /// One file, or two where a format keeps the cameras apart.
+    pub(super) files: Vec<PathBuf>,
+    /// What one unit is of a file that does not say it.
+    pub(super) file_unit: Option<Length>,
+}
+
+/// What `1mm`, `25 mm` or `mm` is, the unit of a file.
+pub(super) fn file_unit(text: &str) -> Result<Length, String> {
+    let at = text.find(char::is_alphabetic).unwrap_or(text.len());
+    let (number, symbol) = text.split_at(at);
+    let unit = LengthUnit::ALL.into_iter().find(|unit| unit.symbol() == symbol.trim());
+    let number = if number.trim().is_empty() {
+        Ok(1.0)
+    } else {
+        number.trim().parse::<f64>()
+    };
+    match (number, unit) {
+        (Ok(number), Some(unit)) if number > 0.0 && number.is_finite() => Ok(Length::new(number, unit)),
+        _ => Err("a length is needed, such as 1mm, or 25mm for squares of the board".to_owned()),
+    }
+}
+
+impl Calibration {
+    /// What the files say, or one sentence that says why they say nothing.
+    pub(super) fn found(&self) -> Result<Found, String> {
+        let files = self.files.iter().map(|path| file::bytes(path)).collect::<Result<Vec<_>, _>>()?;
+        let files: Vec<&[u8]> = files.iter().map(Vec::as_slice).collect();
+        let mut found = depth_files::read(&files).map_err(|refusal| in_sentence(&refusal.to_string()))?;
+        if self.file_unit.is_some() {
+            found.warnings.retain(|warning| !matches!(warning, Warning::UnitUnknown { .. }));
+        }
+        Ok(found)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::file_unit;
+    use crate::core::quantity::Length;
+
+    #[test]
+    fn the_unit_of_a_file_is_a_length() {
+        for (text, meters) in [("1mm", 0.001), ("25 mm", 0.025), ("cm", 0.01), ("1 m", 1.0), ("0.5in", 0.0127)] {
+            assert_eq!(file_unit(text), Ok(Length::from_m(meters)), "{text}");
+        }
+        for text in ["", "25", "0mm", "-1mm", "1 parsec", "mm mm"] {
+            assert!(file_unit(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! `import`: what calibration files hold.
+
+use super::ascii::in_sentence;
+use super::calibration::{Calibration, file_unit};
+use super::reply::Reply;
+use crate::core::quantity::Length;
+use clap::{Args, ValueHint};
+use depth_files::{Baseline, Basis, Camera, Found};
+use depth_text::number::{Notation, TYPED_DIGITS};
+use serde::Serialize;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+/// What was given to `import`.
+#[derive(Debug, Args)]
+pub(super) struct Import {
+    /// The files of one calibration: one, or two where there is one for each camera; - for standard input
+    #[arg(value_hint = ValueHint::FilePath, required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// What one unit is of a file that does not say its unit: 1mm, or 25mm where the board had squares of 25 mm
+    #[arg(long, value_name = "LENGTH", value_parser = file_unit)]
+    file_unit: Option<Length>,
+    /// Answer in JSON: lengths in meters, null for what is unknown
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Serialize)]
+struct Answer {
+    format: &'static str,
+    cameras: Vec<AnswerCamera>,
+    baseline_m: Option<f64>,
+    baseline_file_units: Option<f64>,
+    doffs_px: Option<f64>,
+    rectified: bool,
+    warnings: Vec<AnswerWarning>,
+    ignored: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct AnswerCamera {
+    name: String,
+    width: Option<u32>,
+    height: Option<u32>,
+    fx: f64,
+    fy: f64,
+    cx: f64,
+    cy: f64,
+    line: usize,
+}
+
+#[derive(Serialize)]
+struct AnswerWarning {
+    message: String,
+}
+
+impl Import {
+    /// The answer, or one sentence that says why there is none.
+    pub(super) fn reply(&self) -> Result<Reply, String> {
+        let calibration = Calibration {
+            files: self.files.clone(),
+            file_unit: self.file_unit,
+        };
+        let found = calibration.found()?;
+        let warnings: Vec<String> = found.warnings.iter().map(|warning| in_sentence(&warning.to_string())).collect();
+        if self.json {
+            let text = serde_json::to_string_pretty(&self.answer(found, warnings)).map_err(|error| error.to_string())?;
+            return Ok(Reply::without_warnings(text + "\n"));
+        }
+        Ok(Reply {
+            text: self.lines(&found),
+            warnings,
+        })
+    }
+
+    fn answer(&self, found: Found, warnings: Vec<String>) -> Answer {
+        let camera = |camera: &Camera| {
+            let [width, height] = camera.size.map_or([None; 2], |size| size.map(Some));
+            AnswerCamera {
+                name: camera.name.clone(),
+                width,
+                height,
+                fx: camera.fx.px(),
+                fy: camera.fy.px(),
+                cx: camera.cx.px(),
+                cy: camera.cy.px(),
+                line: camera.line,
+            }
+        };
+        Answer {
+            format: found.format.name(),
+            cameras: found.cameras.iter().map(camera).collect(),
+            baseline_m: found.baseline.and_then(|baseline| baseline.length(self.file_unit)).map(Length::m),
+            baseline_file_units: match found.baseline {
+                Some(Baseline::InFileUnits { value, .. }) => Some(value),
+                _ => None,
+            },
+            doffs_px: found.doffs.map(|doffs| doffs.px()),
+            rectified: found.is_rectified(),
+            warnings: warnings.into_iter().map(|message| AnswerWarning { message }).collect(),
+            ignored: found.ignored,
+        }
+    }
+
+    fn lines(&self, found: &Found) -> String {
+        let mut text = format!("{}\n", found.format.title());
+        for camera in &found.cameras {
+            let size = camera
+                .size
+                .map_or_else(String::new, |[width, height]| format!("{width} x {height} px, "));
+            let basis = match camera.basis {
+                Basis::Rectified => "rectified",
+                Basis::Raw => "raw",
+            };
+            let [fx, fy, cx, cy] = [camera.fx, camera.fy, camera.cx, camera.cy].map(|one| one.px());
+            let (name, line) = (&camera.name, camera.line);
+            let _ = writeln!(
+                text,
+                "{name}: {size}fx {fx} px, fy {fy} px, cx {cx} px, cy {cy} px ({basis}, line {line})"
+            );
+        }
+        match found.baseline.map(|baseline| (baseline, baseline.length(self.file_unit))) {
+            Some((_, Some(length))) => _ = writeln!(text, "baseline {} m", Notation::LONG.plain(length.m(), TYPED_DIGITS)),
+            Some((Baseline::InFileUnits { value, .. }, None)) => {
+                let _ = writeln!(text, "baseline {value} (in the unit of the file: say it with --file-unit)");
+            }
+            _ => {}
+        }
+        if let Some(doffs) = found.doffs {
+            let _ = writeln!(text, "doffs {} px", doffs.px());
+        }
+        for line in &found.ignored {
+            let _ = writeln!(text, "ignored: {line}");
+        }
+        text
+    }
+}

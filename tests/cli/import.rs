@@ -1,0 +1,89 @@
+//! Calibration files: `import`, and `calculate --from`. What each kind of file means is tested in `crates/depth-files`.
+
+use super::{run, text};
+use serde_json::Value;
+
+const FILES: &str = "crates/depth-files/tests/data/quirks";
+
+fn answer(arguments: &str) -> Value {
+    let output = run(&format!("import {arguments} --json"));
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(output.stderr.is_empty());
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn refused(arguments: &str) -> String {
+    let output = run(arguments);
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert_eq!((said.lines().count(), output.stdout.len()), (1, 0), "{said}");
+    said
+}
+
+fn near(value: &Value, expected: f64) {
+    let value = value.as_f64().unwrap();
+    assert!((value - expected).abs() <= 1e-9 * expected, "{value} instead of {expected}");
+}
+
+#[test]
+fn a_file_says_its_cameras_and_their_baseline() {
+    let found = answer(&format!("{FILES}/middlebury_2021_crlf_no_last_newline.txt"));
+    assert_eq!((&found["format"], &found["rectified"]), (&"middlebury".into(), &true.into()));
+    near(&found["baseline_m"], 0.124_875);
+    near(&found["cameras"][0]["fx"], 1758.25);
+    assert_eq!(found["cameras"][0]["width"], 1920);
+    assert_eq!(found["warnings"].as_array().unwrap().len(), 0);
+}
+
+#[test]
+fn a_unit_that_the_file_does_not_say_is_asked_for_and_then_taken() {
+    let file = format!("{FILES}/opencv_nested_maps_crlf.yml");
+    let asks = answer(&file);
+    assert!(asks["baseline_m"].is_null());
+    near(&asks["baseline_file_units"], 201.0);
+    assert!(asks["warnings"][0]["message"].as_str().unwrap().contains("unit"), "{asks}");
+    let told = answer(&format!("{file} --file-unit 25mm"));
+    near(&told["baseline_m"], 5.025);
+    // At 25 mm for a square that would be five meters, which is said; the unit no more.
+    assert!(!told["warnings"].to_string().contains("does not say"), "{told}");
+}
+
+#[test]
+fn two_files_of_one_pair_belong_together() {
+    let found = answer(&format!("{FILES}/euroc_tabs_cam0.yaml {FILES}/euroc_tabs_cam1.yaml"));
+    near(&found["baseline_m"], 0.110_131_103_700_069_73);
+    let said = refused(&format!("import {FILES}/euroc_tabs_cam0.yaml {FILES}/opencv_nested_maps_crlf.yml"));
+    assert!(said.contains("do not go together"), "{said}");
+}
+
+#[test]
+fn a_distance_follows_from_a_file_and_a_disparity() {
+    let file = format!("{FILES}/middlebury_spaces_and_pasted_matrix.txt");
+    // 3980 px · 193 mm / (60 px + 124.5 px)
+    let (out, _) = text(&format!("calculate --from {file} --disparity 60"));
+    assert!(out.join(" ").contains("4.163 m"), "{out:?}");
+    // What is given wins.
+    let (out, _) = text(&format!("calculate --from {file} --disparity 60 --baseline 386mm"));
+    assert!(out.join(" ").contains("8.327 m"), "{out:?}");
+    let file = format!("{FILES}/opencv_nested_maps_crlf.yml");
+    let said = refused(&format!("calculate --from {file} --disparity 50"));
+    assert!(said.contains("--file-unit 1mm"), "{said}");
+    let (out, _) = text(&format!("calculate --from {file} --file-unit 1mm --disparity 50"));
+    assert!(out.join(" ").contains("4.577 m"), "{out:?}");
+    // One camera needs no baseline, and is not asked for its unit.
+    let (out, _) = text(&format!("calculate --from {file} --w-img 100 --w-real 1m"));
+    assert!(out.join(" ").contains("11.39 m") || out.join(" ").contains("11.38 m"), "{out:?}");
+}
+
+#[test]
+fn what_is_no_calibration_is_refused_in_one_line() {
+    for (file, word) in [
+        ("hostile_zed_html_page.conf", "web page"),
+        ("hostile_colmap_binary.bin", "TXT"),
+        ("kalibr_template_words_for_numbers.yaml", "line 3"),
+        ("no_such_file", "cannot be read"),
+    ] {
+        let said = refused(&format!("import {FILES}/{file}"));
+        assert!(said.contains(word), "{said}");
+    }
+}
