@@ -67,7 +67,11 @@ impl Calculate {
         let mut filled = self.clone();
         let stand = (self.object.unwrap_or_default(), self.pair.unwrap_or_default());
         let said = fill(calibration, &mut filled.fields, stand, self.solve_for)?;
-        filled.answer(said.iter().map(|sentence| Warning::of_option("from", sentence)).collect())
+        let warnings = said.iter().map(|sentence| Warning::of_option("from", sentence)).collect();
+        // Why something is missing is what the files say of it.
+        filled
+            .answer(warnings)
+            .map_err(|refusal| [refusal].into_iter().chain(said).collect::<Vec<_>>().join(" "))
     }
 
     /// The answer, beside what was said of the files that it is from.

@@ -18,20 +18,23 @@ pub(super) fn fill(
     unknown: Option<Key>,
 ) -> Result<Vec<String>, String> {
     let found = calibration.found()?;
-    let pair_of = found.pair.unwrap_or([0, 0]);
-    let [left, _] = pair_of.map(|at| found.cameras.get(at));
+    let [first, _] = found.pair.unwrap_or([0, 0]).map(|at| found.cameras.get(at));
+    let is_stereo = typed.is_given(fields::DISPARITY, Part::Value);
+    if is_stereo && found.baseline.is_some() {
+        refuse_other_pair(found.is_vertical, pair)?;
+    }
     let mut fill = |key: Key, value: Option<String>| {
         if let Some(value) = value.filter(|_| !typed.is_given(key, Part::Value) && unknown != Some(key)) {
             typed.typed.push((key, Part::Value, value));
         }
     };
-    fill(fields::FOCAL_LENGTH, left.map(|camera| format!("{} px", camera.fx.px())));
+    fill(fields::FOCAL_LENGTH, first.map(|camera| format!("{} px", camera.fx.px())));
     if object == Object::Height || pair == Pair::Vertical {
-        fill(fields::FY, left.map(|camera| format!("{} px", camera.fy.px())));
+        fill(fields::FY, first.map(|camera| format!("{} px", camera.fy.px())));
     }
     let doffs = found.doffs.filter(|doffs| doffs.px() != 0.0);
     fill(fields::DOFFS, doffs.map(|doffs| format!("{} px", doffs.px())));
-    let is_stereo = typed.is_given(fields::DISPARITY, Part::Value);
+    let has_doffs = typed.is_given(fields::DOFFS, Part::Value);
     if is_stereo && !typed.is_given(fields::BASELINE, Part::Value) && unknown != Some(fields::BASELINE) {
         match found.baseline.map(|baseline| (baseline, baseline.length(calibration.file_unit))) {
             Some((_, Some(length))) => typed.typed.push((fields::BASELINE, Part::Value, format!("{} m", length.m()))),
@@ -44,9 +47,35 @@ pub(super) fn fill(
             _ => {}
         }
     }
-    let said = found
+    let mut said: Vec<String> = found
         .warnings
         .iter()
-        .filter(|warning| !matches!(warning, Warning::UnitUnknown { .. }));
-    Ok(said.map(|warning| in_sentence(&warning.to_string())).collect())
+        .filter(|warning| !matches!(warning, Warning::UnitUnknown { .. } | Warning::Vertical))
+        .filter(|warning| {
+            is_stereo
+                || !matches!(
+                    warning,
+                    Warning::NoBaseline { .. } | Warning::NoExtrinsics | Warning::OneOfPair { .. }
+                )
+        })
+        .map(|warning| in_sentence(&warning.to_string()))
+        .collect();
+    if is_stereo && found.baseline.is_some() && found.doffs.is_none() && !has_doffs {
+        said.push("doffs is not in it and is counted as 0: give the file of the other camera as well, or --doffs.".to_owned());
+    }
+    if let Some(first) = first.filter(|_| found.cameras.len() > 2 || found.cameras.len() == 2 && found.pair.is_none()) {
+        said.push(format!("The focal length is that of {}; --fx says another.", first.name));
+    }
+    Ok(said)
+}
+
+/// Refuses a disparity that is counted along the other side of the image than the cameras stand.
+fn refuse_other_pair(is_vertical: bool, pair: Pair) -> Result<(), String> {
+    match (is_vertical, pair) {
+        (true, Pair::Horizontal) => {
+            Err("The cameras of this file stand one above the other: add --pair vertical, and count the disparity in rows.".to_owned())
+        }
+        (false, Pair::Vertical) => Err("The cameras of this file stand side by side: leave out --pair vertical.".to_owned()),
+        _ => Ok(()),
+    }
 }

@@ -31,6 +31,9 @@ struct Answer {
     cameras: Vec<AnswerCamera>,
     baseline_m: Option<f64>,
     baseline_file_units: Option<f64>,
+    /// The places of the left and the right camera among these, or of the upper and the lower one.
+    pair: Option<[usize; 2]>,
+    vertical: bool,
     doffs_px: Option<f64>,
     rectified: bool,
     warnings: Vec<AnswerWarning>,
@@ -95,6 +98,8 @@ impl Import {
                 Some(Baseline::InFileUnits { value, .. }) => Some(value),
                 _ => None,
             },
+            pair: found.pair,
+            vertical: found.is_vertical,
             doffs_px: found.doffs.map(|doffs| doffs.px()),
             rectified: found.is_rectified(),
             warnings: warnings.into_iter().map(|message| AnswerWarning { message }).collect(),
@@ -104,7 +109,7 @@ impl Import {
 
     fn lines(&self, found: &Found) -> String {
         let mut text = format!("{}\n", found.format.title());
-        for camera in &found.cameras {
+        for (at, camera) in found.cameras.iter().enumerate() {
             let size = camera
                 .size
                 .map_or_else(String::new, |[width, height]| format!("{width} x {height} px, "));
@@ -127,11 +132,22 @@ impl Import {
             _ => {}
         }
         if let Some(doffs) = found.doffs {
-            let _ = writeln!(text, "doffs {} px", doffs.px());
+            let _ = writeln!(text, "doffs {} px", Notation::LONG.plain(doffs.px(), TYPED_DIGITS));
         }
         for line in &found.ignored {
             let _ = writeln!(text, "ignored: {line}");
         }
         text
+    }
+}
+
+/// Which of the pair the camera at `at` is.
+fn place(found: &Found, at: usize) -> &'static str {
+    match (found.pair, found.is_vertical) {
+        (Some([first, _]), false) if first == at => " (left)",
+        (Some([_, second]), false) if second == at => " (right)",
+        (Some([first, _]), true) if first == at => " (upper)",
+        (Some([_, second]), true) if second == at => " (lower)",
+        _ => "",
     }
 }

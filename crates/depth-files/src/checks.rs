@@ -11,6 +11,8 @@ const FOCAL_LENGTHS: [f64; 2] = [0.2, 20.0];
 const BASELINES_M: [f64; 2] = [0.001, 5.0];
 /// The distance of two lenses above which a number is hardly one of meters.
 const MOST_METERS: f64 = 1.5;
+/// The distance of two lenses above which a number is hardly one of squares of a board.
+const MOST_SQUARES: f64 = 15.0;
 /// doffs and the principal points agree to this, in pixels.
 const SAME_PX: f64 = 0.1;
 
@@ -49,6 +51,16 @@ pub(crate) fn camera(
         basis,
         line,
     })
+}
+
+/// How many times as large one focal length may be as another of the same camera.
+const FOCAL_RATIO: f64 = 3.0;
+
+/// Whether the focal lengths of raw and of rectified images can be of one camera.
+pub(crate) fn contradict(rectified: Pinhole, raw: Pinhole) -> bool {
+    let ([one, ..], [other, ..]) = (rectified, raw);
+    let ratio = one / other;
+    raw.iter().all(|number| number.is_finite()) && !(1.0 / FOCAL_RATIO..FOCAL_RATIO).contains(&ratio)
 }
 
 /// Why rectified values cannot be used, in a few words; `None` where they can.
@@ -106,9 +118,9 @@ pub(crate) fn remark(found: &mut Found) {
 /// A baseline of `value` in a unit that the file does not say.
 pub(crate) fn in_file_units(value: f64, square: Option<f64>) -> Baseline {
     let guess = match square {
-        Some(size) => Guess::Squares { size },
-        None if value > MOST_METERS => Guess::Unit(LengthUnit::Millimeter),
-        None => Guess::Unit(LengthUnit::Meter),
+        Some(size) if value < MOST_SQUARES => Guess::Squares { size },
+        _ if value > MOST_METERS => Guess::Unit(LengthUnit::Millimeter),
+        _ => Guess::Unit(LengthUnit::Meter),
     };
     Baseline::InFileUnits { value, guess }
 }
@@ -122,14 +134,16 @@ pub(crate) fn in_meters(meters: f64, warnings: &mut Vec<Warning>) -> Option<Base
     None
 }
 
-/// The offset of the principal points of a rectified pair; also where the file has one of its own, which then counts.
-pub(crate) fn doffs(left: &Camera, right: &Camera, of_file: Option<f64>, warnings: &mut Vec<Warning>) -> Pixels {
-    let of_points = Pixels::new(right.cx.px() - left.cx.px());
-    let Some(of_file) = of_file.map(Pixels::new) else {
-        return of_points;
+/// The offset of the principal points of the rectified pair, along its baseline; where the file has one of its own, that counts.
+pub(crate) fn doffs(found: &Found, of_file: Option<f64>) -> (Option<Pixels>, Option<Warning>) {
+    let Some([Some(first), Some(second)]) = found.pair.map(|pair| pair.map(|at| found.cameras.get(at))) else {
+        return (of_file.map(Pixels::new), None);
     };
-    if (of_file.px() - of_points.px()).abs() > SAME_PX {
-        warnings.push(Warning::Doffs { of_file, of_points });
-    }
-    of_file
+    let along = |camera: &Camera| if found.is_vertical { camera.cy.px() } else { camera.cx.px() };
+    let of_points = Pixels::new(along(second) - along(first));
+    let Some(of_file) = of_file.map(Pixels::new) else {
+        return (Some(of_points), None);
+    };
+    let differs = (of_file.px() - of_points.px()).abs() > SAME_PX;
+    (Some(of_file), differs.then_some(Warning::Doffs { of_file, of_points }))
 }

@@ -10,11 +10,13 @@ pub struct Found {
     pub format: Format,
     /// The cameras in the order of the file, of a pair the left first.
     pub cameras: Vec<Camera>,
-    /// The two of them that the baseline is between.
+    /// The two of them that the baseline is between: the left one first, or the upper one.
     pub pair: Option<[usize; 2]>,
+    /// Whether these two stand one above the other.
+    pub is_vertical: bool,
     /// The distance of their lenses.
     pub baseline: Option<Baseline>,
-    /// cx of the right camera less cx of the left, of rectified images.
+    /// cx of the right camera less cx of the left, of rectified images; of a vertical pair cy of the lower one less cy of the upper one.
     pub doffs: Option<Pixels>,
     /// What somebody has to know before they use it.
     pub warnings: Vec<Warning>,
@@ -89,6 +91,20 @@ impl Baseline {
 }
 
 impl Found {
+    /// Nothing yet, in a file of this format.
+    pub(crate) const fn of(format: Format) -> Self {
+        Self {
+            format,
+            cameras: Vec::new(),
+            pair: None,
+            is_vertical: false,
+            baseline: None,
+            doffs: None,
+            warnings: Vec::new(),
+            ignored: Vec::new(),
+        }
+    }
+
     /// Are the focal length and the principal point those of rectified images?
     pub fn is_rectified(&self) -> bool {
         !self.cameras.is_empty() && self.cameras.iter().all(|camera| camera.basis == Basis::Rectified)

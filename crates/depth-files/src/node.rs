@@ -76,12 +76,15 @@ impl Node {
     pub(crate) fn array<const N: usize>(&self, format: Format, name: &str, expected: &'static str) -> Result<[f64; N], Refusal> {
         let numbers = self.numbers(format, name)?;
         let count = numbers.len();
+        if let Some(number) = numbers.iter().find(|number| !number.is_finite()) {
+            return Err(self.is_no_number(format, name, &number.to_string()));
+        }
         <[f64; N]>::try_from(numbers).map_err(|_| Refusal::Count {
             format,
             name: name.to_owned(),
             line: self.line,
             count,
-            expected,
+            expected: expected.to_owned(),
         })
     }
 

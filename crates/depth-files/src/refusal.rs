@@ -33,7 +33,7 @@ pub enum Refusal {
         name: String,
         line: usize,
         count: usize,
-        expected: &'static str,
+        expected: String,
     },
     /// Something without which there is no camera.
     Missing { format: Format, what: &'static str },

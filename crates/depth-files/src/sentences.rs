@@ -63,7 +63,10 @@ impl fmt::Display for Refusal {
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::UnitUnknown { value, guess } => write!(f, "The file does not say in which unit the baseline {value} is: {guess}"),
+            Self::UnitUnknown { value, guess } => {
+                let value = shown(*value);
+                write!(f, "The file does not say in which unit the baseline {value} is: {guess}")
+            }
             Self::Swapped => write!(
                 f,
                 "Left and right are swapped: the second camera stands at the left. The baseline is taken without its sign."
@@ -76,7 +79,7 @@ impl fmt::Display for Warning {
             Self::Implausible { baseline } => write!(
                 f,
                 "A baseline of {} m is implausible: check the unit. Most lie between 1 mm and 5 m.",
-                baseline.m()
+                shown(baseline.m())
             ),
             Self::NegativeBaseline => write!(f, "The baseline is negative in the file; it is taken without its sign."),
             Self::RectificationUnusable { why } => write!(
@@ -100,8 +103,8 @@ impl fmt::Display for Warning {
             Self::Doffs { of_file, of_points } => write!(
                 f,
                 "doffs is {} px in the file, but the principal points differ by {} px. The file’s doffs is taken.",
-                of_file.px(),
-                of_points.px()
+                shown(of_file.px()),
+                shown(of_points.px())
             ),
             Self::Many { cameras, pair: None } => write!(f, "There are {cameras} cameras: choose which."),
             Self::Many {
@@ -135,4 +138,9 @@ const fn raw(format: Format) -> &'static str {
         Format::Zed => "The values are of raw images. The SDK rectifies with others: ask it for those.",
         _ => "The values are of raw images; those of the rectified images, in which disparities are measured, differ.",
     }
+}
+
+/// A number without what the computer’s arithmetic added to it.
+fn shown(number: f64) -> f64 {
+    format!("{number:.8e}").parse().unwrap_or(number)
 }

@@ -30,12 +30,20 @@ impl Line<'_> {
             text: text.trim().chars().take(40).collect(),
         })?;
         let count = all.len();
+        if let Some(number) = all.iter().find(|number| !number.is_finite()) {
+            return Err(Refusal::NotANumber {
+                format,
+                name: name.to_owned(),
+                line: self.number,
+                text: number.to_string(),
+            });
+        }
         <[f64; N]>::try_from(all).map_err(|_| Refusal::Count {
             format,
             name: name.to_owned(),
             line: self.number,
             count,
-            expected,
+            expected: expected.to_owned(),
         })
     }
 }

@@ -48,15 +48,7 @@ pub(crate) fn is_colmap(text: &str) -> bool {
 }
 
 pub(super) fn read(text: &str) -> Result<Found, Refusal> {
-    let mut found = Found {
-        format: FORMAT,
-        cameras: Vec::new(),
-        pair: None,
-        baseline: None,
-        doffs: None,
-        warnings: Vec::new(),
-        ignored: Vec::new(),
-    };
+    let mut found = Found::of(FORMAT);
     for line in lines(text) {
         let Some((id, model, sides, values)) = parts(line) else { continue };
         let Some(&(_, count, is_single)) = MODELS.iter().find(|(name, ..)| *name == model) else {
@@ -79,7 +71,7 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
                 name: model.to_owned(),
                 line: line.number,
                 count: all.len(),
-                expected: "other",
+                expected: count.to_string(),
             });
         };
         let name = format!("camera {id}");

@@ -13,15 +13,7 @@ use crate::refusal::Refusal;
 const FORMAT: Format = Format::Euroc;
 
 pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
-    let mut found = Found {
-        format: FORMAT,
-        cameras: Vec::new(),
-        pair: None,
-        baseline: None,
-        doffs: None,
-        warnings: Vec::new(),
-        ignored: Vec::new(),
-    };
+    let mut found = Found::of(FORMAT);
     let mut places = Vec::new();
     for (index, document) in documents.iter().enumerate() {
         let (camera, place) = read_camera(index, document, &mut found.warnings)?;

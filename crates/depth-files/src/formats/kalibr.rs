@@ -22,16 +22,9 @@ pub(super) fn cameras(document: &Node) -> impl Iterator<Item = (&str, &Node)> {
 }
 
 pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
-    let all: Vec<(&str, &Node)> = documents.iter().flat_map(|document| cameras(document)).collect();
-    let mut found = Found {
-        format: FORMAT,
-        cameras: Vec::new(),
-        pair: None,
-        baseline: None,
-        doffs: None,
-        warnings: Vec::new(),
-        ignored: Vec::new(),
-    };
+    let mut all: Vec<(&str, &Node)> = documents.iter().flat_map(|document| cameras(document)).collect();
+    all.sort_by_key(|(name, _)| name.trim_start_matches("cam").parse::<u32>().ok());
+    let mut found = Found::of(FORMAT);
     for (name, node) in &all {
         found.cameras.push(read_camera(name, node, &mut found.warnings)?);
     }
@@ -90,7 +83,7 @@ fn read_baseline(found: &mut Found, first: &Node, second: &Node) -> Result<(), R
     if let Some((name, node)) = chained.iter().find_map(|name| second.get(name).map(|node| (*name, node))) {
         let shift = Transform::read(node, FORMAT, name)?.shift;
         let [x, y, _] = shift;
-        super::matrix::baseline([-x, -y], &mut found.warnings);
+        super::matrix::place_pair(found, [0, 1], [-x, -y]);
         found.baseline = in_meters(length(shift), &mut found.warnings);
         return Ok(());
     }

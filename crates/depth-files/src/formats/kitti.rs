@@ -2,7 +2,7 @@
 //!
 //! Source: Geiger et al.: Vision meets robotics, 2013: `P_rect(i)[0][3]` = −f·b(i), with b(i) from camera 0.
 
-use super::matrix::{Projection, baseline, size};
+use super::matrix::{Projection, place_pair, size};
 use crate::checks::{camera, doffs, in_meters};
 use crate::format::Format;
 use crate::found::{Basis, Found, Warning};
@@ -44,15 +44,7 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
             rows.push((index.to_string(), Projection::new(row), line.number));
         }
     }
-    let mut found = Found {
-        format: FORMAT,
-        cameras: Vec::new(),
-        pair: None,
-        baseline: None,
-        doffs: None,
-        warnings: Vec::new(),
-        ignored: Vec::new(),
-    };
+    let mut found = Found::of(FORMAT);
     for (number, projection, line) in &rows {
         let place = (size_of(text, number)?, Basis::Rectified, *line);
         found
@@ -76,13 +68,9 @@ fn read_pair(found: &mut Found, rows: &[(String, Projection, usize)]) {
     let (Some((_, left, _)), Some((_, right, _))) = (first, second) else {
         return;
     };
-    found.pair = Some(pair);
-    let length = baseline(left.to(*right), &mut found.warnings);
+    let length = place_pair(found, pair, left.to(*right));
     found.baseline = (length > 0.0).then(|| in_meters(length, &mut found.warnings)).flatten();
-    let [left, right] = pair.map(|at| found.cameras.get(at).cloned());
-    if let (Some(left), Some(right)) = (left, right) {
-        found.doffs = Some(doffs(&left, &right, None, &mut found.warnings));
-    }
+    found.doffs = found.baseline.and_then(|_| doffs(found, None).0);
     if rows.len() > 2 {
         let names = pair.map(|at| rows.get(at).map(|(number, ..)| number.clone()).unwrap_or_default());
         found.warnings.push(Warning::Many {

@@ -1,7 +1,7 @@
 //! What camera matrices and projection matrices say.
 
 use crate::checks::Pinhole;
-use crate::found::Warning;
+use crate::found::{Found, Warning};
 
 /// Two numbers as width and height, where they are some.
 pub(super) fn size([width, height]: [f64; 2]) -> Option<[u32; 2]> {
@@ -45,14 +45,19 @@ impl Projection {
     }
 }
 
-/// The length of a baseline with these parts, and what is to be said of its direction.
-pub(super) fn baseline([right, down]: [f64; 2], warnings: &mut Vec<Warning>) -> f64 {
-    if right == 0.0 && down == 0.0 {
-        warnings.push(Warning::ZeroBaseline);
-    } else if down.abs() > right.abs() {
-        warnings.push(Warning::Vertical);
-    } else if right < 0.0 {
-        warnings.push(Warning::Swapped);
+/// Makes two cameras the pair, of which the second stands so far to the right of the first, and so far below. Returns the length.
+pub(super) fn place_pair(found: &mut Found, [first, second]: [usize; 2], [right, down]: [f64; 2]) -> f64 {
+    found.is_vertical = down.abs() > right.abs();
+    let along = if found.is_vertical { down } else { right };
+    found.pair = Some(if along < 0.0 { [second, first] } else { [first, second] });
+    if along == 0.0 {
+        found.warnings.push(Warning::ZeroBaseline);
     }
-    if down.abs() > right.abs() { down.abs() } else { right.abs() }
+    if found.is_vertical {
+        found.warnings.push(Warning::Vertical);
+    }
+    if along < 0.0 {
+        found.warnings.push(Warning::Swapped);
+    }
+    along.abs()
 }

@@ -19,7 +19,8 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
     let pairs: Vec<(&str, Line<'_>)> = lines(text)
         .filter_map(|line| {
             let (key, value) = line.text.split_once('=')?;
-            let value = value.trim();
+            // Somebody has written a unit or a remark behind it.
+            let value = value.split('#').next().unwrap_or_default().trim();
             Some((key.trim(), Line { text: value, ..line }))
         })
         .collect();
@@ -30,13 +31,8 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
         _ => None,
     };
     let mut found = Found {
-        format: FORMAT,
-        cameras: Vec::new(),
-        pair: None,
-        baseline: None,
-        doffs: None,
-        warnings: Vec::new(),
         ignored: ignored(text),
+        ..Found::of(FORMAT)
     };
     for name in ["cam0", "cam1"] {
         if let Some(line) = get(name) {
@@ -58,11 +54,10 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
     } else {
         found.warnings.push(Warning::NoBaseline { format: FORMAT });
     }
-    if let [left, right] = found.cameras.as_slice() {
-        found.pair = Some([0, 1]);
-        let of_file = number("doffs")?.map(|[value]| value);
-        found.doffs = Some(doffs(left, right, of_file, &mut found.warnings));
-    }
+    found.pair = (found.cameras.len() == 2).then_some([0, 1]);
+    let (doffs, warning) = doffs(&found, number("doffs")?.map(|[value]| value));
+    found.doffs = doffs;
+    found.warnings.extend(warning);
     Ok(found)
 }
 

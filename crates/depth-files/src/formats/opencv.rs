@@ -2,9 +2,9 @@
 //!
 //! Source: the samples of OpenCV, `stereo_calib.cpp`; `P2[0][3] = −fx·b`, in the unit of the board.
 
-use super::matrix::{Projection, baseline, of_matrix, size};
+use super::matrix::{Projection, of_matrix, place_pair, size};
 use super::opencv_names::{Matrices, SIZES, SQUARES, TRANSLATIONS, WIDTHS, find, parts};
-use crate::checks::{camera, doffs, in_file_units, unusable};
+use crate::checks::{camera, contradict, doffs, in_file_units, unusable};
 use crate::format::Format;
 use crate::found::{Baseline, Basis, Camera, Found, Warning};
 use crate::geometry::length;
@@ -17,20 +17,12 @@ type Parts<'a> = [(String, &'a Node)];
 
 pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
     let parts: Vec<(String, &Node)> = documents.iter().flat_map(|document| parts(document)).collect();
-    let mut found = Found {
-        format: FORMAT,
-        cameras: Vec::new(),
-        pair: None,
-        baseline: None,
-        doffs: None,
-        warnings: Vec::new(),
-        ignored: Vec::new(),
-    };
+    let mut found = Found::of(FORMAT);
     let size = read_size(&parts)?;
     if !read_rectified(&mut found, &parts, size)? {
         read_raw(&mut found, &parts, size)?;
     }
-    if found.cameras.len() == 2 {
+    if found.cameras.len() == 2 && found.pair.is_none() {
         found.pair = Some([0, 1]);
     }
     if let Some(known) = known_baseline(&parts)? {
@@ -57,16 +49,30 @@ fn read_rectified(found: &mut Found, parts: &Parts<'_>, size: Option<[u32; 2]>) 
         found.warnings.push(Warning::RectificationUnusable { why });
         return Ok(false);
     }
-    let cameras = [("left", left, first), ("right", right, second)];
+    let raw = Matrices::cameras(parts)
+        .first
+        .map(|node| node.array::<9>(FORMAT, "the camera matrix", "9"))
+        .transpose()?;
+    if raw.is_some_and(|raw| contradict(left.pinhole, of_matrix(raw))) {
+        let why = "its focal length is many times that of the camera".to_owned();
+        found.warnings.push(Warning::RectificationUnusable { why });
+        return Ok(false);
+    }
+    let cameras = [("first", left, first), ("second", right, second)];
     for (name, projection, node) in cameras {
         let place = (size, Basis::Rectified, node.line);
         found.cameras.push(camera(FORMAT, name, projection.pinhole, place)?);
     }
-    let value = baseline(left.to(right), &mut found.warnings);
-    found.baseline = (value > 0.0).then(|| in_file_units(value, square(parts)));
-    if let [left, right] = found.cameras.as_slice() {
-        found.doffs = Some(doffs(left, right, None, &mut found.warnings));
+    // Without the last column of P only T says how far they are apart.
+    let is_cut = first.numbers(FORMAT, "P1")?.len() == 9 || second.numbers(FORMAT, "P2")?.len() == 9;
+    if is_cut {
+        found.pair = Some([0, 1]);
+        read_translation(found, parts)?;
+    } else {
+        let value = place_pair(found, [0, 1], left.to(right));
+        found.baseline = (value > 0.0).then(|| in_file_units(value, square(parts)));
     }
+    found.doffs = doffs(found, None).0;
     Ok(true)
 }
 
@@ -92,15 +98,22 @@ fn read_raw(found: &mut Found, parts: &Parts<'_>, size: Option<[u32; 2]>) -> Res
             what: "camera matrix: give the file of the intrinsics as well",
         });
     };
-    found.cameras.push(read(if second.is_some() { "left" } else { "camera" }, first)?);
+    found.cameras.push(read(if second.is_some() { "first" } else { "camera" }, first)?);
     if let Some(second) = second {
-        found.cameras.push(read("right", second)?);
+        found.cameras.push(read("second", second)?);
         found.warnings.push(Warning::Raw { format: FORMAT });
     }
-    if let Some(node) = find(parts, &TRANSLATIONS).filter(|_| second.is_some()) {
+    if second.is_some() {
+        read_translation(found, parts)?;
+    }
+    Ok(())
+}
+
+/// Reads T, which leads from the first camera to the second: −b along the row.
+fn read_translation(found: &mut Found, parts: &Parts<'_>) -> Result<(), Refusal> {
+    if let Some(node) = find(parts, &TRANSLATIONS) {
         let [x, y, z]: [f64; 3] = node.array(FORMAT, "T", "3")?;
-        // T leads from the left camera to the right: −b along the row.
-        baseline([-x, -y], &mut found.warnings);
+        place_pair(found, [0, 1], [-x, -y]);
         let value = length([x, y, z]);
         found.baseline = (value > 0.0).then(|| in_file_units(value, square(parts)));
     }

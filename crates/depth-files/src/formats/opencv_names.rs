@@ -5,18 +5,30 @@ use crate::node::{Node, Value};
 /// All that may be a number or a matrix in `document`, however deep, by its key in small letters without `_`, `-` and `.`.
 pub(super) fn parts(document: &Node) -> Vec<(String, &Node)> {
     let mut all = Vec::new();
-    collect(document, &mut all);
+    collect(document, "", &mut all);
     all
 }
 
-fn collect<'a>(node: &'a Node, all: &mut Vec<(String, &'a Node)>) {
+/// Adds what is in `node`. In the map of one camera the keys get its name behind them: `left: {K: …}` is `Kleft`.
+fn collect<'a>(node: &'a Node, camera: &str, all: &mut Vec<(String, &'a Node)>) {
     for (key, part) in node.entries() {
         let is_matrix = part.get("data").is_some() || !matches!(part.value, Value::Map(_));
+        let key: String = key.chars().filter(|one| !"_-. ".contains(*one)).collect();
+        let key = key.to_ascii_lowercase();
         if is_matrix {
-            let key: String = key.chars().filter(|one| !"_-. ".contains(*one)).collect();
-            all.push((key.to_ascii_lowercase(), part));
+            all.push((format!("{key}{camera}"), part));
         } else {
-            collect(part, all);
+            let name = key.trim_start_matches("camera").trim_start_matches("cam");
+            let is_camera = ["left", "right", "l", "r"].contains(&name);
+            collect(
+                part,
+                if is_camera {
+                    if name.starts_with('l') { "left" } else { "right" }
+                } else {
+                    camera
+                },
+                all,
+            );
         }
     }
 }

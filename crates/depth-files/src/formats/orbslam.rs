@@ -19,15 +19,7 @@ pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
         (Some(width), Some(height)) => size([width, height]),
         _ => None,
     };
-    let mut found = Found {
-        format: FORMAT,
-        cameras: Vec::new(),
-        pair: None,
-        baseline: None,
-        doffs: None,
-        warnings: Vec::new(),
-        ignored: Vec::new(),
-    };
+    let mut found = Found::of(FORMAT);
     let bf = number("Camera.bf")?;
     let b = number("Stereo.b")?;
     let is_depth_camera = get("DepthMapFactor").is_some();
@@ -39,7 +31,7 @@ pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
         }
     }
     read_baseline(&mut found, &get, (bf, b))?;
-    if is_depth_camera && found.baseline.is_some() {
+    if is_depth_camera && found.baseline.take().is_some() {
         found.warnings.push(Warning::DepthCamera);
     }
     let model = get("Camera.type").and_then(Node::text).unwrap_or_default();
@@ -82,9 +74,8 @@ fn read_baseline<'a>(
     if let Some(node) = get("Stereo.T_c1_c2") {
         let shift = Transform::read(node, FORMAT, "Stereo.T_c1_c2")?.shift;
         let [x, y, _] = shift;
-        super::matrix::baseline([x, y], &mut found.warnings);
+        super::matrix::place_pair(found, [0, 1], [x, y]);
         found.baseline = in_meters(length(shift), &mut found.warnings);
-        found.pair = (found.cameras.len() == 2).then_some([0, 1]);
         found.warnings.push(Warning::Raw { format: FORMAT });
         return Ok(());
     }

@@ -24,18 +24,8 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
         let is_it = move |camera: &&Camera| camera.name.starts_with("Infrared") && camera.name.ends_with(number);
         cameras.iter().find(is_it).cloned()
     };
-    let mut found = Found {
-        format: FORMAT,
-        cameras: Vec::new(),
-        pair: None,
-        baseline: None,
-        doffs: None,
-        warnings: Vec::new(),
-        ignored: Vec::new(),
-    };
+    let mut found = Found::of(FORMAT);
     if let (Some(left), Some(right)) = (infrared('1'), infrared('2')) {
-        found.doffs = Some(doffs(&left, &right, None, &mut found.warnings));
-        found.pair = Some([0, 1]);
         found.baseline = match shift(&all)? {
             Some(shift) => in_meters(length(shift), &mut found.warnings),
             None => None,
@@ -46,6 +36,8 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
             .map(|one| format!("{}: not one of the pair", one.name))
             .collect();
         found.cameras = vec![left, right];
+        found.pair = Some([0, 1]);
+        found.doffs = doffs(&found, None).0;
     } else {
         found.cameras = cameras;
     }

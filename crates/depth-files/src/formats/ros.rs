@@ -1,6 +1,6 @@
 //! ROS: `sensor_msgs/CameraInfo` as a calibration file, as `rostopic echo` and `ros2 topic echo` print it, and as the calibrator does.
 
-use super::matrix::{Projection, baseline, of_matrix, size};
+use super::matrix::{Projection, of_matrix, place_pair, size};
 use crate::checks::{Pinhole, camera, doffs, in_meters, unusable};
 use crate::format::Format;
 use crate::found::{Basis, Camera, Found, Warning};
@@ -37,22 +37,22 @@ fn found(infos: Vec<Info>, mut warnings: Vec<Warning>) -> Result<Found, Refusal>
         }
     }
     let mut found = Found {
-        format: FORMAT,
-        pair: None,
-        baseline: None,
-        doffs: None,
         cameras: infos.iter().map(|info| info.camera.clone()).collect(),
         warnings,
-        ignored: Vec::new(),
+        ..Found::of(FORMAT)
     };
     match infos.as_slice() {
         [one] => read_one(&mut found, one),
         [first, second] => {
             found.pair = Some([0, 1]);
-            if let (Some(left), Some(right)) = (first.projection, second.projection) {
-                let length = baseline(left.to(right), &mut found.warnings);
+            if let (Some(one), Some(other)) = (first.projection, second.projection) {
+                let length = place_pair(&mut found, [0, 1], one.to(other));
+                // The right camera is the one whose P has the baseline, in whatever order the files come.
+                if other.shift == [0.0; 2] {
+                    found.warnings.retain(|warning| *warning != Warning::Swapped);
+                }
                 found.baseline = (length > 0.0).then(|| in_meters(length, &mut found.warnings)).flatten();
-                found.doffs = Some(doffs(&first.camera, &second.camera, None, &mut found.warnings));
+                found.doffs = doffs(&found, None).0;
             }
         }
         _ => found.warnings.push(Warning::Many {
@@ -72,7 +72,8 @@ fn read_one(found: &mut Found, one: &Info) {
         });
     } else if let Some(right) = one.projection {
         let left = Projection { shift: [0.0; 2], ..right };
-        let length = baseline(left.to(right), &mut found.warnings);
+        let length = place_pair(found, [0, 0], left.to(right));
+        found.pair = None;
         found.baseline = in_meters(length, &mut found.warnings);
     }
 }

@@ -33,13 +33,8 @@ struct Section {
 pub(super) fn read(text: &str) -> Result<Found, Refusal> {
     let sections = sections(text);
     let mut found = Found {
-        format: FORMAT,
-        cameras: Vec::new(),
-        pair: None,
-        baseline: None,
-        doffs: None,
         warnings: vec![Warning::Raw { format: FORMAT }],
-        ignored: Vec::new(),
+        ..Found::of(FORMAT)
     };
     for section in &sections {
         let Some((side, mode)) = section.name.split_once("_CAM_") else {
