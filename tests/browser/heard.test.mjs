@@ -195,7 +195,7 @@ const WATCH_THE_FOCUS = `${NOTE}
     else if (relatedTarget.localName === 'canvas') note('to the canvas');
   });`;
 
-it('the focus stays where an action left it, or goes to what it opened, and is never nowhere', async (test) => {
+it('the focus stays where an action left it, or goes to what it opened, and is never nowhere', { engines: ['chromium', 'firefox'] }, async (test) => {
   const page = await bench.page(test);
   for (const [presses, expected] of ACTIONS) {
     await page.start();
