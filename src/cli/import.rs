@@ -119,9 +119,10 @@ impl Import {
             };
             let [fx, fy, cx, cy] = [camera.fx, camera.fy, camera.cx, camera.cy].map(|one| one.px());
             let (name, line) = (&camera.name, camera.line);
+            let place = place(found, at);
             let _ = writeln!(
                 text,
-                "{name}: {size}fx {fx} px, fy {fy} px, cx {cx} px, cy {cy} px ({basis}, line {line})"
+                "{name}{place}: {size}fx {fx} px, fy {fy} px, cx {cx} px, cy {cy} px ({basis}, line {line})"
             );
         }
         match found.baseline.map(|baseline| (baseline, baseline.length(self.file_unit))) {

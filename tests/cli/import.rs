@@ -87,3 +87,31 @@ fn what_is_no_calibration_is_refused_in_one_line() {
         assert!(said.contains(word), "{said}");
     }
 }
+
+#[test]
+fn what_a_file_says_of_its_pair_is_not_ignored() {
+    let folder = std::env::temp_dir();
+    let file = folder.join("depth-calculator-vertical.yml");
+    let p2 = "P2: {data: [690, 0, 630, 0, 0, 690, 358, -82800, 0, 0, 1, 0]}";
+    std::fs::write(&file, format!("P1: {{data: [690, 0, 630, 0, 0, 690, 350, 0, 0, 0, 1, 0]}}\n{p2}\n")).unwrap();
+    let vertical = file.display();
+    // One above the other: rows, and doffs of rows. 690 px · 120 mm / (50 px + 8 px)
+    let said = refused(&format!("calculate --from {vertical} --file-unit 1mm --disparity 50"));
+    assert!(said.contains("--pair vertical"), "{said}");
+    let (out, _) = text(&format!(
+        "calculate --from {vertical} --file-unit 1mm --disparity 50 --pair vertical"
+    ));
+    assert!(out.join(" ").contains("1.428 m"), "{out:?}");
+    let said = refused(&format!(
+        "calculate --from {FILES}/middlebury_2021_crlf_no_last_newline.txt --disparity 50 --pair vertical"
+    ));
+    assert!(said.contains("side by side"), "{said}");
+    // The right camera alone has no doffs, which is said.
+    let (_, err) = text(&format!(
+        "calculate --from {FILES}/ros_topic_echo1_right_only_R_nan.yaml --disparity 50"
+    ));
+    assert!(err.join(" ").contains("doffs is not in it"), "{err:?}");
+    // Why there is no baseline is said where it is missing.
+    let said = refused(&format!("calculate --from {FILES}/orbslam2_bf_zero.yaml --disparity 50"));
+    assert!(said.contains("--baseline") && said.contains("single camera"), "{said}");
+}
