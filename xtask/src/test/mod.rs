@@ -37,7 +37,7 @@ pub(crate) struct Options {
     #[arg(long, value_name = "NUMBER", default_value_t = 20_261_122)]
     seed: u64,
     /// How many times eight steps the random walk takes
-    #[arg(long, value_name = "NUMBER", default_value_t = 10)]
+    #[arg(long, value_name = "NUMBER", default_value_t = 6)]
     batches: u32,
     #[command(flatten)]
     places: Places,
