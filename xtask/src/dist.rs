@@ -68,8 +68,9 @@ pub(crate) fn build() -> Result<PathBuf, String> {
     step("Build the page (2 to 4 minutes on two cores the first time)", || {
         let mut trunk = command(trunk, &["build", "--release", "--offline", "--skip-version-check"]);
         if let Some(flags) = nameless(&[(cargo_home(), "cargo")]) {
-            // With the types in the names of generic functions, by which the unused ones among them are found.
-            let flags = format!("{flags} -Csymbol-mangling-version=v0");
+            // With the types in the names of generic functions, by which the unused ones among them are found, and with what refers to
+            // what, by which goes what only these use.
+            let flags = format!("{flags} -Csymbol-mangling-version=v0 -Clink-arg=--emit-relocs");
             trunk.env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS", flags);
         }
         // Trunk takes NO_COLOR=1, which is how others understand it, for a mistake.

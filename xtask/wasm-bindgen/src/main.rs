@@ -6,6 +6,7 @@
 
 mod names;
 mod order;
+mod reach;
 mod unused;
 
 use anyhow::{Context as _, Result};

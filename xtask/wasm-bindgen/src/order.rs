@@ -82,6 +82,11 @@ impl Functions {
         ty.and_then(|ty| self.results.get(ty)).copied().unwrap_or_default()
     }
 
+    /// How many functions are imported.
+    pub const fn imported(&self) -> u32 {
+        self.imported
+    }
+
     /// How many there are, imports left out.
     pub const fn len(&self) -> usize {
         self.types.len()

@@ -2,11 +2,13 @@
 //! compiler cannot know: whether it is asked for is decided while the program runs.
 
 use crate::order::Functions;
+use crate::reach::reached;
 use anyhow::{Result, ensure};
 use std::convert::Infallible;
-use wasm_encoder::reencode::{Error, Reencode};
-use wasm_encoder::{CodeSection, Function, Instruction, Module};
-use wasmparser::{FunctionBody, Parser};
+use std::ops::Range;
+use wasm_encoder::reencode::{Error, Reencode, utils};
+use wasm_encoder::{CodeSection, DataSection, Elements, Function, Instruction, Module};
+use wasmparser::{CustomSectionReader, Data, ElementItems, FunctionBody, Parser};
 
 /// The functions that are never called, by parts of their mangled names. Everything that only they call goes with them.
 ///
@@ -85,7 +87,8 @@ const UNSEEN: &[&[&str]] = &[
     &["8harfrust2hb16ot_shaper_arabic", "20reorder_marks_arabic"],
 ];
 
-/// `module` with an instruction that traps in place of what [`UNUSED`] names, and nothing in place of what [`UNSEEN`] names.
+/// `module` with an instruction that traps in place of what [`UNUSED`] names, nothing in place of what [`UNSEEN`] names, and neither the
+/// functions nor the data that only these reach.
 ///
 /// # Errors
 /// Where a function of the lists is not in the module: then they are too long.
@@ -107,29 +110,60 @@ fn without(module: &[u8], unused: &[&[&str]], unseen: &[&[&str]]) -> Result<Vec<
         }
         is_in(unseen).then(|| vec![Instruction::I32Const(0); functions.results(at)])
     });
+    let mut instead: Vec<Option<Vec<Instruction<'static>>>> = instead.collect();
+    let emptied: Vec<bool> = instead.iter().map(Option::is_some).collect();
     let mut writer = Writer {
-        instead: instead.collect(),
-        at: 0,
+        imported: functions.imported(),
+        ..Writer::default()
     };
+    if let Some(reached) = reached(module, &emptied)? {
+        for (instead, _) in instead.iter_mut().zip(&reached.functions).filter(|(_, reached)| !**reached) {
+            *instead = Some(vec![Instruction::Unreachable]);
+        }
+        writer.functions = reached.functions;
+        writer.unreached = reached.unreached;
+    }
+    writer.instead = instead;
     let mut out = Module::new();
     writer.parse_core_module(&mut out, Parser::new(0), module)?;
     Ok(out.finish())
 }
 
+#[derive(Default)]
 struct Writer {
+    imported: u32,
     /// For each function, imports left out, what is put in place of its body.
     instead: Vec<Option<Vec<Instruction<'static>>>>,
-    at: usize,
+    /// For each function, imports left out, whether it is reached; empty where that is not known.
+    functions: Vec<bool>,
+    /// In each data segment, the bytes that are not.
+    unreached: Vec<Vec<Range<usize>>>,
+    function: usize,
+    segment: usize,
+}
+
+impl Writer {
+    /// The function at `index`, or the first that is not reached in place of any that is not: the table then names one of them only.
+    fn one_for_all(&self, index: u32) -> u32 {
+        let own = |index: u32| usize::try_from(index.checked_sub(self.imported)?).ok();
+        if own(index).and_then(|own| self.functions.get(own)) != Some(&false) {
+            return index;
+        }
+        let first = self.functions.iter().position(|reached| !reached);
+        first
+            .and_then(|first| u32::try_from(first).ok())
+            .map_or(index, |first| first + self.imported)
+    }
 }
 
 impl Reencode for Writer {
     type Error = Infallible;
 
     fn parse_function_body(&mut self, code: &mut CodeSection, body: FunctionBody<'_>) -> Result<(), Error> {
-        let instead = self.instead.get_mut(self.at).and_then(Option::take);
-        self.at += 1;
+        let instead = self.instead.get_mut(self.function).and_then(Option::take);
+        self.function += 1;
         let Some(instead) = instead else {
-            return wasm_encoder::reencode::utils::parse_function_body(self, code, body);
+            return utils::parse_function_body(self, code, body);
         };
         let mut function = Function::new([]);
         for instruction in instead.iter().chain([&Instruction::End]) {
@@ -137,6 +171,33 @@ impl Reencode for Writer {
         }
         code.function(&function);
         Ok(())
+    }
+
+    fn element_items<'a>(&mut self, items: ElementItems<'a>) -> Result<Elements<'a>, Error> {
+        let ElementItems::Functions(functions) = items else {
+            return utils::element_items(self, items);
+        };
+        let functions = functions.into_iter().map(|index| Ok(self.one_for_all(index?)));
+        Ok(Elements::Functions(functions.collect::<Result<Vec<_>, Error>>()?.into()))
+    }
+
+    fn parse_data(&mut self, data: &mut DataSection, datum: Data<'_>) -> Result<(), Error> {
+        let unreached = self.unreached.get(self.segment).map(Vec::as_slice).unwrap_or_default();
+        self.segment += 1;
+        let mut bytes = datum.data.to_vec();
+        for range in unreached {
+            // Nobody looks, and zeros cost nothing to download.
+            bytes.get_mut(range.clone()).unwrap_or_default().fill(0);
+        }
+        utils::parse_data(self, data, Data { data: &bytes, ..datum })
+    }
+
+    fn parse_custom_section(&mut self, module: &mut Module, section: CustomSectionReader<'_>) -> Result<(), Error> {
+        // What stands there is of the module as it was.
+        if section.name() == "linking" || section.name().starts_with("reloc.") {
+            return Ok(());
+        }
+        utils::parse_custom_section(self, module, section)
     }
 }
 
@@ -190,6 +251,25 @@ mod tests {
         let mut module = Module::new();
         module.section(&types).section(&functions).section(&code).section(&name_section);
         module.finish()
+    }
+
+    #[test]
+    fn what_only_an_emptied_function_reaches_goes_with_it() {
+        let emptied = without(&crate::reach::tests::module(), &[&["print"]], &[]).unwrap();
+        wasmparser::validate(&emptied).unwrap();
+        assert_eq!(first(&emptied), ["Nop", "Nop", "Unreachable", "Unreachable"]);
+        let mut names = Vec::new();
+        for payload in Parser::new(0).parse_all(&emptied) {
+            match payload.unwrap() {
+                Payload::DataSection(section) => {
+                    let data = section.into_iter().next().unwrap().unwrap();
+                    assert_eq!(data.data, [7, 7, 7, 7, 0, 0, 0, 0, 0, 0, 0, 0, 7, 7, 7, 7]);
+                }
+                Payload::CustomSection(section) => names.push(section.name().to_owned()),
+                _ => {}
+            }
+        }
+        assert_eq!(names, ["name"]);
     }
 
     #[test]
