@@ -35,8 +35,10 @@ impl Calibration {
     /// What the files say, or one sentence that says why they say nothing.
     pub(super) fn found(&self) -> Result<Found, String> {
         let files = self.files.iter().map(|path| file::bytes(path)).collect::<Result<Vec<_>, _>>()?;
+        let names: Vec<String> = self.files.iter().map(|path| path.display().to_string()).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let files: Vec<&[u8]> = files.iter().map(Vec::as_slice).collect();
-        let mut found = depth_files::read(&files).map_err(|refusal| in_sentence(&refusal.to_string()))?;
+        let mut found = depth_files::read(&files).map_err(|refusal| in_sentence(&refusal.sentence(&names)))?;
         if self.file_unit.is_some() {
             found.warnings.retain(|warning| !matches!(warning, Warning::UnitUnknown { .. }));
         }

@@ -5,7 +5,7 @@ use super::calibration::{Calibration, file_unit};
 use super::reply::Reply;
 use crate::core::quantity::Length;
 use clap::{Args, ValueHint};
-use depth_files::{Baseline, Basis, Camera, Found};
+use depth_files::{Baseline, Basis, Camera, Found, Origin};
 use depth_text::number::{Notation, TYPED_DIGITS};
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -35,6 +35,8 @@ struct Answer {
     pair: Option<[usize; 2]>,
     vertical: bool,
     doffs_px: Option<f64>,
+    baseline_origin: Option<AnswerOrigin>,
+    doffs_origin: Option<AnswerOrigin>,
     rectified: bool,
     warnings: Vec<AnswerWarning>,
     ignored: Vec<String>,
@@ -50,6 +52,19 @@ struct AnswerCamera {
     cx: f64,
     cy: f64,
     line: usize,
+    origin: AnswerOrigin,
+    /// As the file lists them.
+    distortion: Vec<f64>,
+    /// Of the distortion, or of the camera.
+    model: Option<String>,
+}
+
+/// Where a number comes from.
+#[derive(Serialize)]
+struct AnswerOrigin {
+    file: String,
+    line: usize,
+    how: String,
 }
 
 #[derive(Serialize)]
@@ -76,6 +91,23 @@ impl Import {
         })
     }
 
+    /// The names of the files, as they were given.
+    fn names(&self) -> Vec<String> {
+        self.files.iter().map(|file| file.display().to_string()).collect()
+    }
+
+    fn origin(&self, origin: &Origin) -> AnswerOrigin {
+        AnswerOrigin {
+            file: self
+                .files
+                .get(origin.file)
+                .map(|file| file.display().to_string())
+                .unwrap_or_default(),
+            line: origin.line,
+            how: origin.how.clone(),
+        }
+    }
+
     fn answer(&self, found: Found, warnings: Vec<String>) -> Answer {
         let camera = |camera: &Camera| {
             let [width, height] = camera.size.map_or([None; 2], |size| size.map(Some));
@@ -87,7 +119,10 @@ impl Import {
                 fy: camera.fy.px(),
                 cx: camera.cx.px(),
                 cy: camera.cy.px(),
-                line: camera.line,
+                line: camera.origin.line,
+                origin: self.origin(&camera.origin),
+                distortion: camera.distortion.clone(),
+                model: camera.model.clone(),
             }
         };
         Answer {
@@ -101,6 +136,8 @@ impl Import {
             pair: found.pair,
             vertical: found.is_vertical,
             doffs_px: found.doffs.map(|doffs| doffs.px()),
+            baseline_origin: found.baseline_origin.as_ref().map(|origin| self.origin(origin)),
+            doffs_origin: found.doffs_origin.as_ref().map(|origin| self.origin(origin)),
             rectified: found.is_rectified(),
             warnings: warnings.into_iter().map(|message| AnswerWarning { message }).collect(),
             ignored: found.ignored,
@@ -109,6 +146,10 @@ impl Import {
 
     fn lines(&self, found: &Found) -> String {
         let mut text = format!("{}\n", found.format.title());
+        let names = self.names();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let told = |origin: &Origin| [origin.how.clone(), origin.place().words(&names)].join(", ");
+        let comes_from = |origin: &Option<Origin>| origin.as_ref().map_or_else(String::new, |origin| format!(", {}", told(origin)));
         for (at, camera) in found.cameras.iter().enumerate() {
             let size = camera
                 .size
@@ -118,22 +159,38 @@ impl Import {
                 Basis::Raw => "raw",
             };
             let [fx, fy, cx, cy] = [camera.fx, camera.fy, camera.cx, camera.cy].map(|one| one.px());
-            let (name, line) = (&camera.name, camera.line);
+            let (name, origin) = (&camera.name, told(&camera.origin));
             let place = place(found, at);
             let _ = writeln!(
                 text,
-                "{name}{place}: {size}fx {fx} px, fy {fy} px, cx {cx} px, cy {cy} px ({basis}, line {line})"
+                "{name}{place}: {size}fx {fx} px, fy {fy} px, cx {cx} px, cy {cy} px ({basis}, {origin})"
             );
         }
         match found.baseline.map(|baseline| (baseline, baseline.length(self.file_unit))) {
-            Some((_, Some(length))) => _ = writeln!(text, "baseline {} m", Notation::LONG.plain(length.m(), TYPED_DIGITS)),
+            Some((_, Some(length))) => {
+                let _ = writeln!(
+                    text,
+                    "baseline {} m{}",
+                    Notation::LONG.plain(length.m(), TYPED_DIGITS),
+                    comes_from(&found.baseline_origin)
+                );
+            }
             Some((Baseline::InFileUnits { value, .. }, None)) => {
-                let _ = writeln!(text, "baseline {value} (in the unit of the file: say it with --file-unit)");
+                let _ = writeln!(
+                    text,
+                    "baseline {value} (in the unit of the file: say it with --file-unit){}",
+                    comes_from(&found.baseline_origin)
+                );
             }
             _ => {}
         }
         if let Some(doffs) = found.doffs {
-            let _ = writeln!(text, "doffs {} px", Notation::LONG.plain(doffs.px(), TYPED_DIGITS));
+            let _ = writeln!(
+                text,
+                "doffs {} px{}",
+                Notation::LONG.plain(doffs.px(), TYPED_DIGITS),
+                comes_from(&found.doffs_origin)
+            );
         }
         for line in &found.ignored {
             let _ = writeln!(text, "ignored: {line}");

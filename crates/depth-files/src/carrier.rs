@@ -16,9 +16,9 @@ pub(crate) enum File {
     Trees(Vec<Node>),
 }
 
-/// What a document of XML is.
-pub(crate) fn of_xml(text: &str) -> Result<File, Refusal> {
-    let (root, node) = xml::document(text)?;
+/// What a document of XML is, the `file`th.
+pub(crate) fn of_xml(text: &str, file: usize) -> Result<File, Refusal> {
+    let (root, node) = xml::document(text, file)?;
     let names = |name: &str| node.get(name).is_some();
     match root.as_str() {
         "opencv_storage" if names("imagelist") || names("images") => Err(Refusal::Other {

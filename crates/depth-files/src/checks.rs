@@ -2,6 +2,7 @@
 
 use crate::format::Format;
 use crate::found::{Baseline, Basis, Camera, Found, Guess, Warning};
+use crate::place::Origin;
 use crate::refusal::Refusal;
 use depth_core::quantity::{Length, LengthUnit, Pixels};
 
@@ -24,19 +25,23 @@ pub(crate) fn camera(
     format: Format,
     name: &str,
     pinhole: Pinhole,
-    (size, basis, line): (Option<[u32; 2]>, Basis, usize),
+    (size, basis, origin): (Option<[u32; 2]>, Basis, Origin),
 ) -> Result<Camera, Refusal> {
     let [fx, fy, cx, cy] = pinhole;
     for focal in [fx, fy] {
         if !focal.is_finite() || focal <= 0.0 {
-            return Err(Refusal::FocalLength { format, fx: focal, line });
+            return Err(Refusal::FocalLength {
+                format,
+                fx: focal,
+                place: origin.place(),
+            });
         }
     }
     if let Some((name, value)) = [("cx", cx), ("cy", cy)].into_iter().find(|(_, value)| !value.is_finite()) {
         return Err(Refusal::NotANumber {
             format,
             name: name.to_owned(),
-            line,
+            place: origin.place(),
             text: value.to_string(),
         });
     }
@@ -49,7 +54,10 @@ pub(crate) fn camera(
         cx,
         cy,
         basis,
-        line,
+        origin,
+        distortion: Vec::new(),
+        model: None,
+        sigma: None,
     })
 }
 
@@ -134,16 +142,41 @@ pub(crate) fn in_meters(meters: f64, warnings: &mut Vec<Warning>) -> Option<Base
     None
 }
 
-/// The offset of the principal points of the rectified pair, along its baseline; where the file has one of its own, that counts.
-pub(crate) fn doffs(found: &Found, of_file: Option<f64>) -> (Option<Pixels>, Option<Warning>) {
-    let Some([Some(first), Some(second)]) = found.pair.map(|pair| pair.map(|at| found.cameras.get(at))) else {
-        return (of_file.map(Pixels::new), None);
-    };
+/// Fills in the offset of the principal points of the rectified pair, along its baseline; where the file has one of its own, that counts.
+pub(crate) fn read_doffs(found: &mut Found, of_file: Option<(f64, Origin)>) {
+    let (of_file, file_origin) = of_file.map(|(px, origin)| (Pixels::new(px), origin)).unzip();
+    let of_points = of_points(found);
+    if let (Some(of_file), Some((of_points, _))) = (of_file, &of_points)
+        && (of_file.px() - of_points.px()).abs() > SAME_PX
+    {
+        let of_points = *of_points;
+        found.warnings.push(Warning::Doffs { of_file, of_points });
+    }
+    let (of_points, points_origin) = of_points.unzip();
+    found.doffs = of_file.or(of_points);
+    found.doffs_origin = file_origin.or(points_origin);
+}
+
+fn of_points(found: &Found) -> Option<(Pixels, Origin)> {
+    let [first, second] = found.pair?;
+    let (first, second) = (found.cameras.get(first)?, found.cameras.get(second)?);
     let along = |camera: &Camera| if found.is_vertical { camera.cy.px() } else { camera.cx.px() };
-    let of_points = Pixels::new(along(second) - along(first));
-    let Some(of_file) = of_file.map(Pixels::new) else {
-        return (Some(of_points), None);
+    let center = if found.is_vertical { "cy" } else { "cx" };
+    let names = if first.origin.how == second.origin.how {
+        [&first.name, &second.name]
+    } else {
+        [&first.origin.how, &second.origin.how]
     };
-    let differs = (of_file.px() - of_points.px()).abs() > SAME_PX;
-    (Some(of_file), differs.then_some(Warning::Doffs { of_file, of_points }))
+    let [one, other] = names;
+    let how = format!("{center} of {other} - {center} of {one}");
+    Some((Pixels::new(along(second) - along(first)), second.origin.place().origin(how)))
+}
+
+/// No model of a lens has more coefficients: OpenCV’s has 14, COLMAP’s 16.
+const MOST_COEFFICIENTS: usize = 16;
+
+/// The coefficients of a distortion, with which nothing here is computed: none where one of them is no number.
+pub(crate) fn coefficients(all: Option<Vec<f64>>) -> Vec<f64> {
+    let are_some = |all: &Vec<f64>| all.len() <= MOST_COEFFICIENTS && all.iter().all(|one| one.is_finite());
+    all.filter(are_some).unwrap_or_default()
 }

@@ -1,6 +1,7 @@
 //! What was found in calibration files.
 
 use crate::format::Format;
+use crate::place::Origin;
 use depth_core::quantity::{Length, LengthUnit, Pixels};
 
 /// What calibration files say, and what is to be said of it.
@@ -16,8 +17,12 @@ pub struct Found {
     pub is_vertical: bool,
     /// The distance of their lenses.
     pub baseline: Option<Baseline>,
+    /// Where the baseline comes from; `None` where there is none.
+    pub baseline_origin: Option<Origin>,
     /// cx of the right camera less cx of the left, of rectified images; of a vertical pair cy of the lower one less cy of the upper one.
     pub doffs: Option<Pixels>,
+    /// Where doffs comes from; `None` where there is none.
+    pub doffs_origin: Option<Origin>,
     /// What somebody has to know before they use it.
     pub warnings: Vec<Warning>,
     /// What else is in the files, which was not read, each with why not.
@@ -41,8 +46,14 @@ pub struct Camera {
     pub cy: Pixels,
     /// Of which images.
     pub basis: Basis,
-    /// The line of the file where it begins, counted from 1.
-    pub line: usize,
+    /// Where the focal lengths and the principal point come from.
+    pub origin: Origin,
+    /// The coefficients of the distortion, in the order of the file; none where the file has none.
+    pub distortion: Vec<f64>,
+    /// The name of the model, of the distortion or of the camera, where the file says one.
+    pub model: Option<String>,
+    /// 1 σ of fx, fy, cx and cy, where the file says it.
+    pub sigma: Option<[Pixels; 4]>,
 }
 
 /// Of which images a focal length is.
@@ -99,10 +110,18 @@ impl Found {
             pair: None,
             is_vertical: false,
             baseline: None,
+            baseline_origin: None,
             doffs: None,
+            doffs_origin: None,
             warnings: Vec::new(),
             ignored: Vec::new(),
         }
+    }
+
+    /// Takes a baseline and where it comes from, or neither.
+    pub(crate) fn measure(&mut self, baseline: Option<Baseline>, origin: Origin) {
+        self.baseline_origin = baseline.map(|_| origin);
+        self.baseline = baseline;
     }
 
     /// Are the focal length and the principal point those of rectified images?

@@ -14,6 +14,7 @@ mod found;
 mod geometry;
 mod node;
 mod number;
+mod place;
 mod recognize;
 mod refusal;
 mod sentences;
@@ -24,6 +25,7 @@ mod yaml;
 pub use carrier::LARGEST;
 pub use format::Format;
 pub use found::{Baseline, Basis, Camera, Found, Guess, Warning};
+pub use place::{Origin, Place};
 pub use refusal::Refusal;
 
 /// What `files` say together, each the bytes of one: two where a format keeps the cameras apart.
@@ -31,6 +33,9 @@ pub use refusal::Refusal;
 /// # Errors
 /// A [`Refusal`] that says what was recognized, and what keeps it from being read.
 pub fn read(files: &[&[u8]]) -> Result<Found, Refusal> {
-    let files = files.iter().map(|bytes| recognize::read(bytes)).collect::<Result<Vec<_>, _>>()?;
+    let files = files.iter().enumerate();
+    let files = files
+        .map(|(file, bytes)| recognize::read(bytes, file))
+        .collect::<Result<Vec<_>, _>>()?;
     formats::read(&files)
 }

@@ -2,13 +2,13 @@
 
 use crate::format::Format;
 use crate::number::number;
+use crate::place::Place;
 use crate::refusal::Refusal;
 
 /// A part of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Node {
-    /// Counted from 1.
-    pub(crate) line: usize,
+    pub(crate) place: Place,
     pub(crate) value: Value,
 }
 
@@ -72,6 +72,11 @@ impl Node {
         }
     }
 
+    /// The coefficients of a distortion, or none where they cannot be read.
+    pub(crate) fn coefficients(node: Option<&Self>, format: Format) -> Vec<f64> {
+        crate::checks::coefficients(node.and_then(|node| node.numbers(format, "the distortion").ok()))
+    }
+
     /// As many numbers as are expected. `rows` says how many in words.
     pub(crate) fn array<const N: usize>(&self, format: Format, name: &str, expected: &'static str) -> Result<[f64; N], Refusal> {
         let numbers = self.numbers(format, name)?;
@@ -82,7 +87,7 @@ impl Node {
         <[f64; N]>::try_from(numbers).map_err(|_| Refusal::Count {
             format,
             name: name.to_owned(),
-            line: self.line,
+            place: self.place,
             count,
             expected: expected.to_owned(),
         })
@@ -98,7 +103,7 @@ impl Node {
         Refusal::NotANumber {
             format,
             name: name.to_owned(),
-            line: self.line,
+            place: self.place,
             text: text.chars().take(40).collect(),
         }
     }

@@ -7,8 +7,8 @@ use crate::refusal::Refusal;
 use crate::text::lines;
 use crate::yaml;
 
-/// What `bytes` are.
-pub(crate) fn read(bytes: &[u8]) -> Result<File, Refusal> {
+/// What `bytes` are, which are the `file`th.
+pub(crate) fn read(bytes: &[u8], file: usize) -> Result<File, Refusal> {
     let text = text(bytes)?;
     let start = text.trim_start();
     if start.is_empty() {
@@ -28,12 +28,12 @@ pub(crate) fn read(bytes: &[u8]) -> Result<File, Refusal> {
         });
     }
     if start.starts_with('<') {
-        return of_xml(start);
+        return of_xml(start, file);
     }
     if let Some(format) = of_lines(&text) {
         return Ok(File::Lines(format, text));
     }
-    let documents = yaml::documents(&text)?;
+    let documents = yaml::documents(&text, file)?;
     let has_maps = documents.iter().any(|document| document.entries().next().is_some());
     if has_maps {
         Ok(File::Trees(documents))

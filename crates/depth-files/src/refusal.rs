@@ -1,6 +1,7 @@
 //! Why a file cannot be read.
 
 use crate::format::Format;
+use crate::place::Place;
 
 /// Why a file cannot be read. The sentence is its `Display`. Lines are counted from 1.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,7 +16,7 @@ pub enum Refusal {
     /// Something that is known, and no calibration: what, and what to do.
     Other { what: &'static str, todo: &'static str },
     /// It ends early, or is not what it begins as.
-    Syntax { what: &'static str, line: usize, reason: String },
+    Syntax { what: &'static str, place: Place, reason: String },
     /// Brackets within brackets.
     TooDeep,
     /// Aliases of YAML that stand for more than any calibration holds.
@@ -24,23 +25,23 @@ pub enum Refusal {
     NotANumber {
         format: Format,
         name: String,
-        line: usize,
+        place: Place,
         text: String,
     },
     /// So many numbers, where it should be others.
     Count {
         format: Format,
         name: String,
-        line: usize,
+        place: Place,
         count: usize,
         expected: String,
     },
     /// Something without which there is no camera.
     Missing { format: Format, what: &'static str },
     /// A model whose first number is no focal length.
-    NotPinhole { format: Format, model: String, line: usize },
+    NotPinhole { format: Format, model: String, place: Place },
     /// A focal length that none is.
-    FocalLength { format: Format, fx: f64, line: usize },
+    FocalLength { format: Format, fx: f64, place: Place },
     /// Files that do not go together.
     Mixed { formats: [Format; 2] },
     /// Nothing that is known here.

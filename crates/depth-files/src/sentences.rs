@@ -2,62 +2,96 @@
 
 use crate::format::Format;
 use crate::found::{Guess, Warning};
+use crate::place::Place;
 use crate::refusal::Refusal;
 use std::fmt;
 
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.sentence(&[]))
+    }
+}
+
+impl Refusal {
+    /// The sentence, with `names` for the files in their order.
+    pub fn sentence(&self, names: &[&str]) -> String {
         match self {
-            Self::Empty => write!(f, "The file is empty."),
-            Self::TooLarge => write!(f, "The file is larger than any calibration: more than 16 MB."),
-            Self::Binary { what: Some(what), todo } => write!(f, "This is {what}, not text. {todo}"),
-            Self::Binary { what: None, todo } => write!(f, "This is a binary file, not a calibration in text. {todo}"),
-            Self::Other { what, todo } => write!(f, "This is {what}. {todo}"),
-            Self::Syntax { what, line, reason } => write!(
-                f,
-                "Line {line} is not {what} ({reason}): the file may be truncated, or a line in it be damaged."
-            ),
-            Self::TooDeep => write!(f, "It is nested too deeply for a calibration: brackets within brackets."),
-            Self::TooMuch => write!(f, "Its aliases stand for more numbers than any calibration has."),
-            Self::NotANumber { format, name, line, text } => {
-                let title = format.title();
-                write!(f, "This is {title}, but in line {line} “{text}” of {name} is not a number.")
+            Self::Empty => "The file is empty.".to_owned(),
+            Self::TooLarge => "The file is larger than any calibration: more than 16 MB.".to_owned(),
+            Self::Binary { what: Some(what), todo } => format!("This is {what}, not text. {todo}"),
+            Self::Binary { what: None, todo } => format!("This is a binary file, not a calibration in text. {todo}"),
+            Self::Other { what, todo } => format!("This is {what}. {todo}"),
+            Self::Syntax { what, place, reason } => {
+                let line = upper(&place.words(names));
+                format!("{line} is not {what} ({reason}): the file may be truncated, or a line in it be damaged.")
             }
-            Self::Count {
-                format,
-                name,
-                line,
-                count,
-                expected,
-            } => write!(
-                f,
-                "This is {}, but in line {line} {name} has {count} numbers, not {expected}.",
-                format.title()
-            ),
-            Self::Missing { format, what } => write!(f, "This is {}, but it has no {what}.", format.title()),
-            Self::NotPinhole { format, model, line } => write!(
-                f,
-                "This is {}, but the model “{model}” in line {line} is no pinhole: its first number is not a focal length. \
-                 Calibrate with a pinhole model, or undistort the images and give the new camera matrix.",
-                format.title()
-            ),
-            Self::FocalLength { format, fx, line } => write!(
-                f,
-                "This is {}, but in line {line} the focal length {fx} is not a number above zero.",
-                format.title()
-            ),
-            Self::Mixed { formats: [first, second] } => write!(
-                f,
+            Self::TooDeep => "It is nested too deeply for a calibration: brackets within brackets.".to_owned(),
+            Self::TooMuch => "Its aliases stand for more numbers than any calibration has.".to_owned(),
+            Self::Mixed { formats: [first, second] } => format!(
                 "These files do not go together: one is {}, another {}. Give the two of one pair.",
                 first.title(),
                 second.title()
             ),
-            Self::Unknown => write!(
-                f,
+            Self::Unknown => {
                 "No calibration is recognized in it: there is no camera matrix under a name that OpenCV, ROS, Kalibr, KITTI, COLMAP or others use."
-            ),
+                    .to_owned()
+            }
+            Self::NotANumber { format, .. }
+            | Self::Count { format, .. }
+            | Self::Missing { format, .. }
+            | Self::NotPinhole { format, .. }
+            | Self::FocalLength { format, .. } => format!("This is {}, but {}", format.title(), self.but(names)),
         }
     }
+
+    /// What keeps a file from being read whose format is known.
+    fn but(&self, names: &[&str]) -> String {
+        match self {
+            Self::NotANumber { name, place, text, .. } => {
+                format!("in {} “{text}” of {name} is not a number.", place.words(names))
+            }
+            Self::Count {
+                name,
+                place,
+                count,
+                expected,
+                ..
+            } => format!("in {} {name} has {count} numbers, not {expected}.", place.words(names)),
+            Self::Missing { what, .. } => format!("it has no {what}."),
+            Self::NotPinhole { model, place, .. } => format!(
+                "the model “{model}” in {} is no pinhole: its first number is not a focal length. \
+                 Calibrate with a pinhole model, or undistort the images and give the new camera matrix.",
+                place.words(names)
+            ),
+            Self::FocalLength { fx, place, .. } => {
+                format!("in {} the focal length {fx} is not a number above zero.", place.words(names))
+            }
+            _ => String::new(),
+        }
+    }
+}
+
+impl Place {
+    /// `line 12`, and of which file where there are several: `line 12 of right.yaml`.
+    pub fn words(self, names: &[&str]) -> String {
+        let Self { file, line } = self;
+        let line = if line == 0 { String::new() } else { format!("line {line}") };
+        let of = match names.get(file) {
+            Some(_) if names.len() == 1 => String::new(),
+            Some(name) => (*name).to_owned(),
+            None if file == 0 => String::new(),
+            None => format!("file {}", file + 1),
+        };
+        let between = if line.is_empty() || of.is_empty() { "" } else { " of " };
+        format!("{line}{between}{of}")
+    }
+}
+
+/// With a capital letter.
+fn upper(text: &str) -> String {
+    let mut all = text.chars();
+    all.next()
+        .map_or_else(String::new, |first| first.to_uppercase().chain(all).collect())
 }
 
 impl fmt::Display for Warning {

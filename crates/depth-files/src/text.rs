@@ -2,19 +2,21 @@
 
 use crate::format::Format;
 use crate::number::numbers;
+use crate::place::Place;
 use crate::refusal::Refusal;
 
 /// A line, counted from 1.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line<'a> {
-    pub(crate) number: usize,
+    pub(crate) place: Place,
     pub(crate) text: &'a str,
 }
 
 /// The lines of `text` that hold something, without blanks around them.
 pub(crate) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> + Clone {
     let all = text.lines().enumerate().map(|(index, text)| Line {
-        number: index + 1,
+        // Formats of lines have both cameras in one file.
+        place: Place { file: 0, line: index + 1 },
         text: text.trim(),
     });
     all.filter(|line| !line.text.is_empty())
@@ -26,7 +28,7 @@ impl Line<'_> {
         let all = numbers(text).ok_or_else(|| Refusal::NotANumber {
             format,
             name: name.to_owned(),
-            line: self.number,
+            place: self.place,
             text: text.trim().chars().take(40).collect(),
         })?;
         let count = all.len();
@@ -34,14 +36,14 @@ impl Line<'_> {
             return Err(Refusal::NotANumber {
                 format,
                 name: name.to_owned(),
-                line: self.number,
+                place: self.place,
                 text: number.to_string(),
             });
         }
         <[f64; N]>::try_from(all).map_err(|_| Refusal::Count {
             format,
             name: name.to_owned(),
-            line: self.number,
+            place: self.place,
             count,
             expected: expected.to_owned(),
         })

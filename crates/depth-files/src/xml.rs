@@ -1,11 +1,12 @@
 //! XML as OpenCV writes it, as a [`Node`].
 
 use crate::node::{Node, Value};
+use crate::place::Place;
 use crate::refusal::Refusal;
 use roxmltree::{Document, ParsingOptions};
 
-/// What the document holds below its first element. Also says what that is called.
-pub(crate) fn document(text: &str) -> Result<(String, Node), Refusal> {
+/// What the document, the `file`th, holds below its first element. Also says what that is called.
+pub(crate) fn document(text: &str, file: usize) -> Result<(String, Node), Refusal> {
     // No calibration has a document type, with which entities come that stand for more than memory holds.
     let options = ParsingOptions {
         allow_dtd: false,
@@ -14,17 +15,26 @@ pub(crate) fn document(text: &str) -> Result<(String, Node), Refusal> {
     };
     let document = Document::parse_with_options(text, options).map_err(|error| Refusal::Syntax {
         what: "XML",
-        line: usize::try_from(error.pos().row).unwrap_or(1),
+        place: place(file, error.pos().row),
         reason: error.to_string(),
     })?;
     let root = document.root_element();
-    Ok((root.tag_name().name().to_owned(), node(root)))
+    Ok((root.tag_name().name().to_owned(), node(root, file)))
 }
 
-fn node(element: roxmltree::Node<'_, '_>) -> Node {
+fn place(file: usize, row: u32) -> Place {
+    Place {
+        file,
+        line: usize::try_from(row).unwrap_or(1),
+    }
+}
+
+fn node(element: roxmltree::Node<'_, '_>, file: usize) -> Node {
     let line = element.document().text_pos_at(element.range().start).row;
     let children = element.children().filter(roxmltree::Node::is_element);
-    let entries: Vec<(String, Node)> = children.map(|child| (child.tag_name().name().to_owned(), node(child))).collect();
+    let entries: Vec<(String, Node)> = children
+        .map(|child| (child.tag_name().name().to_owned(), node(child, file)))
+        .collect();
     let value = match entries.first() {
         None => Value::Text(element.text().unwrap_or_default().trim().to_owned()),
         // A sequence of OpenCV.
@@ -32,7 +42,7 @@ fn node(element: roxmltree::Node<'_, '_>) -> Node {
         Some(_) => Value::Map(entries),
     };
     Node {
-        line: usize::try_from(line).unwrap_or(1),
+        place: place(file, line),
         value,
     }
 }

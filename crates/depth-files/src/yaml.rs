@@ -1,6 +1,7 @@
 //! YAML and JSON as a [`Node`], also as OpenCV and ORB-SLAM write it, which is no YAML.
 
 use crate::node::{Node, Value};
+use crate::place::Place;
 use crate::refusal::Refusal;
 use saphyr_parser::{Event, Parser, ScanError, Span, StrInput};
 
@@ -9,18 +10,21 @@ const DEEPEST: usize = 64;
 /// No calibration holds more: point lists of OpenCV have 10 000 numbers.
 const MOST: usize = 2_000_000;
 
-/// Every document of `text` that holds something.
-pub(crate) fn documents(text: &str) -> Result<Vec<Node>, Refusal> {
+/// Every document that holds something in `text`, which is the `file`th.
+pub(crate) fn documents(text: &str, file: usize) -> Result<Vec<Node>, Refusal> {
     let repaired = repaired(text);
-    let mut builder = Builder::default();
+    let mut builder = Builder {
+        file,
+        ..Builder::default()
+    };
     for event in Parser::new(StrInput::new(&repaired)) {
-        let (event, span) = event.map_err(|error| syntax(text, &error))?;
+        let (event, span) = event.map_err(|error| syntax(text, file, &error))?;
         builder.take(event, span)?;
     }
     Ok(builder.documents)
 }
 
-fn syntax(text: &str, error: &ScanError) -> Refusal {
+fn syntax(text: &str, file: usize, error: &ScanError) -> Refusal {
     // The parser’s own limit, deeper than this one’s.
     if error.info().contains("recursion") {
         return Refusal::TooDeep;
@@ -32,7 +36,10 @@ fn syntax(text: &str, error: &ScanError) -> Refusal {
     };
     Refusal::Syntax {
         what,
-        line: error.marker().line(),
+        place: Place {
+            file,
+            line: error.marker().line(),
+        },
         reason: error.info().to_owned(),
     }
 }
@@ -77,6 +84,7 @@ fn spaced(line: &str) -> String {
 /// Makes nodes of events, and refuses what grows beyond any calibration.
 #[derive(Default)]
 struct Builder {
+    file: usize,
     documents: Vec<Node>,
     /// What is not closed yet.
     open: Vec<Open>,
@@ -95,8 +103,11 @@ struct Open {
 
 impl Builder {
     fn take(&mut self, event: Event<'_>, span: Span) -> Result<(), Refusal> {
-        let line = span.start.line();
-        let node = |value| Node { line, value };
+        let place = Place {
+            file: self.file,
+            line: span.start.line(),
+        };
+        let node = |value| Node { place, value };
         match event {
             Event::Scalar(text, _, anchor, _) => self.add(node(Value::Text(text.into_owned())), anchor),
             Event::SequenceStart(anchor, _) => self.begin(node(Value::List(Vec::new())), anchor),

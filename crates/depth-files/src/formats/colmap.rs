@@ -3,9 +3,9 @@
 //! Source: COLMAP’s documentation, “Output Format” and “Camera Models”.
 
 use super::matrix::size;
-use crate::checks::camera;
+use crate::checks::{camera, coefficients};
 use crate::format::Format;
-use crate::found::{Basis, Found, Warning};
+use crate::found::{Basis, Camera, Found, Warning};
 use crate::refusal::Refusal;
 use crate::text::{Line, lines};
 
@@ -55,7 +55,7 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
             return Err(Refusal::NotPinhole {
                 format: FORMAT,
                 model: model.to_owned(),
-                line: line.number,
+                place: line.place,
             });
         };
         let all = crate::number::numbers(values).unwrap_or_default();
@@ -69,7 +69,7 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
             return Err(Refusal::Count {
                 format: FORMAT,
                 name: model.to_owned(),
-                line: line.number,
+                place: line.place,
                 count: all.len(),
                 expected: count.to_string(),
             });
@@ -81,9 +81,13 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
                 model: model.to_owned(),
             });
         }
-        found
-            .cameras
-            .push(camera(FORMAT, &name, pinhole, (size(sides), Basis::Raw, line.number))?);
+        let place = (size(sides), Basis::Raw, line.place.origin(model));
+        let distortion = all.get(if is_single { 3 } else { 4 }..).map(<[f64]>::to_vec);
+        found.cameras.push(Camera {
+            distortion: coefficients(distortion),
+            model: Some(model.to_owned()),
+            ..camera(FORMAT, &name, pinhole, place)?
+        });
     }
     if found.cameras.len() > 1 {
         found.warnings.push(Warning::Many {

@@ -8,6 +8,7 @@ use crate::format::Format;
 use crate::found::{Basis, Camera, Found, Warning};
 use crate::geometry::{Transform, Vector, distance};
 use crate::node::Node;
+use crate::place::Place;
 use crate::refusal::Refusal;
 
 const FORMAT: Format = Format::Euroc;
@@ -21,10 +22,11 @@ pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
         places.push(place);
     }
     match places.as_slice() {
-        [Some(first), Some(second), ..] => {
+        [Some((first, _)), Some((second, place)), ..] => {
             found.pair = Some([0, 1]);
             found.warnings.push(Warning::Raw { format: FORMAT });
-            found.baseline = in_meters(distance(*first, *second), &mut found.warnings);
+            let baseline = in_meters(distance(*first, *second), &mut found.warnings);
+            found.measure(baseline, place.origin("distance between the translations of T_BS"));
         }
         [_] => found.warnings.push(Warning::OneOfPair { other: "of cam1" }),
         _ => found.warnings.push(Warning::NoBaseline { format: FORMAT }),
@@ -32,7 +34,7 @@ pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
     Ok(found)
 }
 
-fn read_camera(index: usize, document: &Node, warnings: &mut Vec<Warning>) -> Result<(Camera, Option<Vector>), Refusal> {
+fn read_camera(index: usize, document: &Node, warnings: &mut Vec<Warning>) -> Result<(Camera, Option<(Vector, Place)>), Refusal> {
     let text = |key: &str| document.get(key).and_then(Node::text).unwrap_or_default().to_owned();
     let Some(intrinsics) = document.get("intrinsics") else {
         return Err(Refusal::Other {
@@ -45,7 +47,7 @@ fn read_camera(index: usize, document: &Node, warnings: &mut Vec<Warning>) -> Re
         return Err(Refusal::NotPinhole {
             format: FORMAT,
             model,
-            line: document.line,
+            place: document.place,
         });
     }
     let name = format!("cam{index}");
@@ -53,7 +55,7 @@ fn read_camera(index: usize, document: &Node, warnings: &mut Vec<Warning>) -> Re
     if distortion == "equidistant" {
         warnings.push(Warning::Fisheye {
             camera: name.clone(),
-            model: distortion,
+            model: distortion.clone(),
         });
     }
     let size = match document.get("resolution") {
@@ -61,9 +63,14 @@ fn read_camera(index: usize, document: &Node, warnings: &mut Vec<Warning>) -> Re
         None => None,
     };
     let pinhole = intrinsics.array(FORMAT, "intrinsics", "4")?;
-    let camera = camera(FORMAT, &name, pinhole, (size, Basis::Raw, intrinsics.line))?;
+    let origin = intrinsics.place.origin("intrinsics");
+    let camera = Camera {
+        distortion: Node::coefficients(document.get("distortion_coefficients"), FORMAT),
+        model: Some(distortion).filter(|model| !model.is_empty()),
+        ..camera(FORMAT, &name, pinhole, (size, Basis::Raw, origin))?
+    };
     let place = match document.get("T_BS") {
-        Some(node) => Some(Transform::read(node, FORMAT, "T_BS")?.shift),
+        Some(node) => Some((Transform::read(node, FORMAT, "T_BS")?.shift, node.place)),
         None => None,
     };
     Ok((camera, place))

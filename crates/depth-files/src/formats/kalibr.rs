@@ -8,6 +8,7 @@ use crate::format::Format;
 use crate::found::{Basis, Camera, Found, Warning};
 use crate::geometry::{Transform, Vector, distance, length};
 use crate::node::Node;
+use crate::place::Origin;
 use crate::refusal::Refusal;
 
 const FORMAT: Format = Format::Kalibr;
@@ -54,14 +55,14 @@ fn read_camera(name: &str, node: &Node, warnings: &mut Vec<Warning>) -> Result<C
         return Err(Refusal::NotPinhole {
             format: FORMAT,
             model,
-            line: node.line,
+            place: node.place,
         });
     }
     let distortion = text("distortion_model");
     if ["equidistant", "fov"].contains(&distortion.as_str()) {
         warnings.push(Warning::Fisheye {
             camera: name.to_owned(),
-            model: distortion,
+            model: distortion.clone(),
         });
     }
     let Some(intrinsics) = node.get("intrinsics") else {
@@ -75,7 +76,12 @@ fn read_camera(name: &str, node: &Node, warnings: &mut Vec<Warning>) -> Result<C
         Some(node) => size(node.array(FORMAT, "resolution", "2")?),
         None => None,
     };
-    camera(FORMAT, name, pinhole, (size, Basis::Raw, intrinsics.line))
+    let origin = intrinsics.place.origin("intrinsics");
+    Ok(Camera {
+        distortion: Node::coefficients(node.get("distortion_coeffs"), FORMAT),
+        model: Some(distortion).filter(|model| !model.is_empty()),
+        ..camera(FORMAT, name, pinhole, (size, Basis::Raw, origin))?
+    })
 }
 
 fn read_baseline(found: &mut Found, first: &Node, second: &Node) -> Result<(), Refusal> {
@@ -84,24 +90,30 @@ fn read_baseline(found: &mut Found, first: &Node, second: &Node) -> Result<(), R
         let shift = Transform::read(node, FORMAT, name)?.shift;
         let [x, y, _] = shift;
         super::matrix::place_pair(found, [0, 1], [-x, -y]);
-        found.baseline = in_meters(length(shift), &mut found.warnings);
+        let baseline = in_meters(length(shift), &mut found.warnings);
+        found.measure(baseline, node.place.origin(format!("|t| of {name}")));
         return Ok(());
     }
-    if let (Some(first), Some(second)) = (place(first)?, place(second)?) {
-        found.baseline = in_meters(distance(first, second), &mut found.warnings);
+    if let (Some((first, _)), Some((second, origin))) = (place(first)?, place(second)?) {
+        let baseline = in_meters(distance(first, second), &mut found.warnings);
+        found.measure(baseline, origin);
     } else {
         found.warnings.push(Warning::NoBaseline { format: FORMAT });
     }
     Ok(())
 }
 
-/// Where a camera is in the frame of the IMU.
-fn place(node: &Node) -> Result<Option<Vector>, Refusal> {
+/// Where a camera is in the frame of the IMU, and how the distance to another follows.
+fn place(node: &Node) -> Result<Option<(Vector, Origin)>, Refusal> {
+    let origin = |node: &Node, name: &str| node.place.origin(format!("distance between the cameras by {name}"));
     if let Some(node) = node.get("T_imu_cam") {
-        return Ok(Some(Transform::read(node, FORMAT, "T_imu_cam")?.shift));
+        return Ok(Some((Transform::read(node, FORMAT, "T_imu_cam")?.shift, origin(node, "T_imu_cam"))));
     }
     if let Some(node) = node.get("T_cam_imu") {
-        return Ok(Some(Transform::read(node, FORMAT, "T_cam_imu")?.origin()));
+        return Ok(Some((
+            Transform::read(node, FORMAT, "T_cam_imu")?.origin(),
+            origin(node, "T_cam_imu"),
+        )));
     }
     Ok(None)
 }

@@ -2,11 +2,12 @@
 //!
 //! Source: Geiger et al.: Vision meets robotics, 2013: `P_rect(i)[0][3]` = −f·b(i), with b(i) from camera 0.
 
-use super::matrix::{Projection, place_pair, size};
-use crate::checks::{camera, doffs, in_meters};
+use super::matrix::{Projection, how, place_pair, size};
+use crate::checks::{camera, in_meters, read_doffs};
 use crate::format::Format;
 use crate::found::{Basis, Found, Warning};
 use crate::number::numbers;
+use crate::place::Place;
 use crate::refusal::Refusal;
 use crate::text::{Line, lines};
 
@@ -30,23 +31,23 @@ fn named(line: Line<'_>) -> Option<(&str, &str)> {
 }
 
 pub(super) fn read(text: &str) -> Result<Found, Refusal> {
-    let mut rows: Vec<(String, Projection, usize)> = Vec::new();
+    let mut rows: Vec<(String, Projection, Place)> = Vec::new();
     for line in lines(text) {
         if let Some((number, values)) = named(line) {
             let name = format!("P{number}");
             let row = line.array(values, FORMAT, &name, "12")?;
-            rows.push((number.to_owned(), Projection::new(row), line.number));
+            rows.push((number.to_owned(), Projection::new(row), line.place));
         }
     }
     if rows.is_empty() {
         for (index, line) in lines(text).enumerate() {
             let row = line.array(line.text, FORMAT, "a row", "12")?;
-            rows.push((index.to_string(), Projection::new(row), line.number));
+            rows.push((index.to_string(), Projection::new(row), line.place));
         }
     }
     let mut found = Found::of(FORMAT);
     for (number, projection, line) in &rows {
-        let place = (size_of(text, number)?, Basis::Rectified, *line);
+        let place = (size_of(text, number)?, Basis::Rectified, line.origin(format!("P{number}")));
         found
             .cameras
             .push(camera(FORMAT, &format!("camera {number}"), projection.pinhole, place)?);
@@ -56,7 +57,7 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
 }
 
 /// The gray pair, cameras 0 and 1, or the color pair, 2 and 3, or the first two.
-fn read_pair(found: &mut Found, rows: &[(String, Projection, usize)]) {
+fn read_pair(found: &mut Found, rows: &[(String, Projection, Place)]) {
     let place = |wanted: u32| rows.iter().position(|(number, ..)| number.parse() == Ok(wanted));
     let pairs = [(0, 1), (2, 3), (101, 103)];
     let named = pairs.into_iter().find_map(|(left, right)| Some([place(left)?, place(right)?]));
@@ -65,12 +66,16 @@ fn read_pair(found: &mut Found, rows: &[(String, Projection, usize)]) {
         return;
     };
     let [first, second] = pair.map(|at| rows.get(at));
-    let (Some((_, left, _)), Some((_, right, _))) = (first, second) else {
+    let (Some((first, left, _)), Some((second, right, place))) = (first, second) else {
         return;
     };
     let length = place_pair(found, pair, left.to(*right));
-    found.baseline = (length > 0.0).then(|| in_meters(length, &mut found.warnings)).flatten();
-    found.doffs = found.baseline.and_then(|_| doffs(found, None).0);
+    if length > 0.0 {
+        let baseline = in_meters(length, &mut found.warnings);
+        let names = [first, second].map(|number| format!("P{number}"));
+        found.measure(baseline, place.origin(how(names.each_ref().map(String::as_str), [*left, *right])));
+        read_doffs(found, None);
+    }
     if rows.len() > 2 {
         let names = pair.map(|at| rows.get(at).map(|(number, ..)| number.clone()).unwrap_or_default());
         found.warnings.push(Warning::Many {

@@ -45,9 +45,26 @@ impl Projection {
     }
 }
 
+/// How a baseline follows from two projection matrices: `P2[0][3] / P2[0][0]`, or from both where both have a shift.
+pub(super) fn how([first, second]: [&str; 2], [left, right]: [Projection; 2]) -> String {
+    let row = usize::from(is_vertical(left.to(right)));
+    let shift = |one: Projection| one.shift.get(row).copied().unwrap_or_default();
+    let focal = format!("{second}[{row}][{row}]");
+    match [shift(left), shift(right)].map(|shift| shift == 0.0) {
+        [true, _] => format!("{second}[{row}][3] / {focal}"),
+        [false, true] => format!("{first}[{row}][3] / {focal}"),
+        _ => format!("({first}[{row}][3] - {second}[{row}][3]) / {focal}"),
+    }
+}
+
+/// Whether a camera so far to the right and so far below stands below another rather than beside it.
+fn is_vertical([right, down]: [f64; 2]) -> bool {
+    down.abs() > right.abs()
+}
+
 /// Makes two cameras the pair, of which the second stands so far to the right of the first, and so far below. Returns the length.
 pub(super) fn place_pair(found: &mut Found, [first, second]: [usize; 2], [right, down]: [f64; 2]) -> f64 {
-    found.is_vertical = down.abs() > right.abs();
+    found.is_vertical = is_vertical([right, down]);
     let along = if found.is_vertical { down } else { right };
     found.pair = Some(if along < 0.0 { [second, first] } else { [first, second] });
     if along == 0.0 {

@@ -3,7 +3,7 @@
 //! Source: the description of the Middlebury 2014 stereo data sets: Z = baseline · f / (d + doffs).
 
 use super::matrix::{of_matrix, size};
-use crate::checks::{camera, doffs};
+use crate::checks::{camera, read_doffs};
 use crate::format::Format;
 use crate::found::{Baseline, Basis, Found, Warning};
 use crate::refusal::Refusal;
@@ -26,6 +26,7 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
         .collect();
     let get = |key: &str| pairs.iter().find(|(name, _)| name.eq_ignore_ascii_case(key)).map(|(_, line)| *line);
     let number = |key: &str| get(key).map(|line| line.array::<1>(line.text, FORMAT, key, "1")).transpose();
+    let origin = |key: &str| get(key).map(|line| line.place.origin(key));
     let size = match (number("width")?, number("height")?) {
         (Some([width]), Some([height])) => size([width, height]),
         _ => None,
@@ -39,7 +40,7 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
             let matrix = of_matrix(line.array(line.text, FORMAT, name, "9")?);
             found
                 .cameras
-                .push(camera(FORMAT, name, matrix, (size, Basis::Rectified, line.number))?);
+                .push(camera(FORMAT, name, matrix, (size, Basis::Rectified, line.place.origin(name)))?);
         }
     }
     if let Some([value]) = number("baseline")? {
@@ -49,15 +50,16 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
         if value == 0.0 {
             found.warnings.push(Warning::ZeroBaseline);
         } else {
-            found.baseline = Some(Baseline::Known(Length::new(value.abs(), LengthUnit::Millimeter)));
+            let baseline = Baseline::Known(Length::new(value.abs(), LengthUnit::Millimeter));
+            found.baseline_origin = origin("baseline");
+            found.baseline = Some(baseline);
         }
     } else {
         found.warnings.push(Warning::NoBaseline { format: FORMAT });
     }
     found.pair = (found.cameras.len() == 2).then_some([0, 1]);
-    let (doffs, warning) = doffs(&found, number("doffs")?.map(|[value]| value));
-    found.doffs = doffs;
-    found.warnings.extend(warning);
+    let doffs = number("doffs")?.map(|[value]| value).zip(origin("doffs"));
+    read_doffs(&mut found, doffs);
     Ok(found)
 }
 
@@ -66,7 +68,10 @@ fn ignored(text: &str) -> Vec<String> {
         let key = line.split('=').next().unwrap_or_default().trim().to_ascii_lowercase();
         line.contains('=') && USED.iter().chain(&OTHERS).any(|name| *name == key)
     };
-    let others: Vec<usize> = lines(text).filter(|line| !is_known(line.text)).map(|line| line.number).collect();
+    let others: Vec<usize> = lines(text)
+        .filter(|line| !is_known(line.text))
+        .map(|line| line.place.line)
+        .collect();
     match others.as_slice() {
         [] => Vec::new(),
         [line] => vec![format!("line {line}: no part of such a file")],

@@ -1,22 +1,46 @@
 //! What people call the matrices of OpenCV.
 
 use crate::node::{Node, Value};
+use crate::place::Origin;
 
-/// All that may be a number or a matrix in `document`, however deep, by its key in small letters without `_`, `-` and `.`.
-pub(super) fn parts(document: &Node) -> Vec<(String, &Node)> {
+/// A part of a file that may be a number or a matrix.
+#[derive(Clone, Debug)]
+pub(super) struct Part<'a> {
+    /// Its key in small letters without `_`, `-` and `.`, with `left` or `right` behind it where it is in the map of one camera.
+    pub(super) key: String,
+    /// What the file calls it.
+    pub(super) name: String,
+    pub(super) node: &'a Node,
+}
+
+impl Part<'_> {
+    /// Where it stands, with its name.
+    pub(super) fn origin(&self) -> Origin {
+        self.node.place.origin(self.name.clone())
+    }
+}
+
+/// All that may be a number or a matrix in `document`, however deep.
+pub(super) fn parts(document: &Node) -> Vec<Part<'_>> {
     let mut all = Vec::new();
     collect(document, "", &mut all);
     all
 }
 
 /// Adds what is in `node`. In the map of one camera the keys get its name behind them: `left: {K: …}` is `Kleft`.
-fn collect<'a>(node: &'a Node, camera: &str, all: &mut Vec<(String, &'a Node)>) {
-    for (key, part) in node.entries() {
+fn collect<'a>(node: &'a Node, camera: &str, all: &mut Vec<Part<'a>>) {
+    for (written, part) in node.entries() {
         let is_matrix = part.get("data").is_some() || !matches!(part.value, Value::Map(_));
-        let key: String = key.chars().filter(|one| !"_-. ".contains(*one)).collect();
+        let key: String = written.chars().filter(|one| !"_-. ".contains(*one)).collect();
         let key = key.to_ascii_lowercase();
         if is_matrix {
-            all.push((format!("{key}{camera}"), part));
+            let name = if camera.is_empty() {
+                written.to_owned()
+            } else {
+                format!("{written} of {camera}")
+            };
+            let key = format!("{key}{camera}");
+            all.push(Part { key, name, node: part });
         } else {
             let name = key.trim_start_matches("camera").trim_start_matches("cam");
             let is_camera = ["left", "right", "l", "r"].contains(&name);
@@ -33,6 +57,16 @@ fn collect<'a>(node: &'a Node, camera: &str, all: &mut Vec<(String, &'a Node)>) 
     }
 }
 
+const DISTORTIONS: [&str; 8] = [
+    "d",
+    "distcoeffs",
+    "distcoeff",
+    "distortioncoefficients",
+    "distortioncoeffs",
+    "distortion",
+    "dist",
+    "kc",
+];
 const MATRICES: [&str; 6] = ["m", "k", "cameramatrix", "mtx", "intrinsicmatrix", "intrinsics"];
 const PROJECTIONS: [&str; 3] = ["p", "projectionmatrix", "projmat"];
 pub(super) const TRANSLATIONS: [&str; 6] = ["t", "translationvector", "translation", "trans", "transmat", "tvec"];
@@ -44,22 +78,20 @@ const FIRST: [&str; 3] = ["1", "left", "l"];
 const SECOND: [&str; 3] = ["2", "right", "r"];
 
 /// A part with one of these names.
-pub(super) fn find<'a>(parts: &[(String, &'a Node)], names: &[&str]) -> Option<&'a Node> {
-    names
-        .iter()
-        .find_map(|name| parts.iter().find(|(key, _)| key == name).map(|(_, node)| *node))
+pub(super) fn find<'p, 'a>(parts: &'p [Part<'a>], names: &[&str]) -> Option<&'p Part<'a>> {
+    names.iter().find_map(|name| parts.iter().find(|part| part.key == *name))
 }
 
 /// The matrices of one camera or of two.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Matrices<'a> {
-    pub(super) first: Option<&'a Node>,
-    pub(super) second: Option<&'a Node>,
+pub(super) struct Matrices<'p, 'a> {
+    pub(super) first: Option<&'p Part<'a>>,
+    pub(super) second: Option<&'p Part<'a>>,
 }
 
-impl<'a> Matrices<'a> {
+impl<'p, 'a> Matrices<'p, 'a> {
     /// The camera matrices: of a single camera the first.
-    pub(super) fn cameras(parts: &[(String, &'a Node)]) -> Self {
+    pub(super) fn cameras(parts: &'p [Part<'a>]) -> Self {
         let pair = Self::pair(parts, &MATRICES);
         let single = || find(parts, &MATRICES);
         Self {
@@ -68,13 +100,22 @@ impl<'a> Matrices<'a> {
         }
     }
 
+    /// The coefficients of the distortion: of a single camera the first.
+    pub(super) fn distortions(parts: &'p [Part<'a>]) -> Self {
+        let pair = Self::pair(parts, &DISTORTIONS);
+        Self {
+            first: pair.first.or_else(|| find(parts, &DISTORTIONS)),
+            ..pair
+        }
+    }
+
     /// The projection matrices.
-    pub(super) fn projections(parts: &[(String, &'a Node)]) -> Self {
+    pub(super) fn projections(parts: &'p [Part<'a>]) -> Self {
         Self::pair(parts, &PROJECTIONS)
     }
 
     /// P1 is the right one where there is a P0, and the left one where there is a P2.
-    fn pair(parts: &[(String, &'a Node)], stems: &[&str]) -> Self {
+    fn pair(parts: &'p [Part<'a>], stems: &[&str]) -> Self {
         let of = |suffixes: &[&str]| {
             let names: Vec<String> = stems
                 .iter()
@@ -99,7 +140,7 @@ impl<'a> Matrices<'a> {
 /// Whether one of these names is in it, or a translation, as in a file of extrinsics alone.
 pub(super) fn is_known(document: &Node) -> bool {
     let parts = parts(document);
-    let is_matrix = |node: &&Node| node.get("data").is_some() || !node.items().is_empty();
-    let any = |matrices: Matrices<'_>| matrices.first.or(matrices.second).filter(is_matrix).is_some();
+    let is_matrix = |part: &&Part<'_>| part.node.get("data").is_some() || !part.node.items().is_empty();
+    let any = |matrices: Matrices<'_, '_>| matrices.first.or(matrices.second).filter(is_matrix).is_some();
     any(Matrices::cameras(&parts)) || any(Matrices::projections(&parts)) || find(&parts, &TRANSLATIONS).filter(is_matrix).is_some()
 }

@@ -3,7 +3,7 @@
 //! Source: the examples of ORB-SLAM3, and its class `Settings`: `T_c1_c2` leads from the right camera to the left.
 
 use super::matrix::size;
-use crate::checks::{Pinhole, camera, in_meters};
+use crate::checks::{self, Pinhole, camera, in_meters};
 use crate::format::Format;
 use crate::found::{Basis, Camera, Found, Warning};
 use crate::geometry::{Transform, length};
@@ -32,6 +32,7 @@ pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
     }
     read_baseline(&mut found, &get, (bf, b))?;
     if is_depth_camera && found.baseline.take().is_some() {
+        found.baseline_origin = None;
         found.warnings.push(Warning::DepthCamera);
     }
     let model = get("Camera.type").and_then(Node::text).unwrap_or_default();
@@ -63,7 +64,17 @@ fn read_camera<'a>(
         };
         *value = node.number(FORMAT, &key)?;
     }
-    camera(FORMAT, name, pinhole, (size, basis, first.line)).map(Some)
+    let coefficients: Option<Vec<f64>> = ["k1", "k2", "p1", "p2", "k3", "k4"]
+        .iter()
+        .filter_map(|part| get(&format!("{prefix}.{part}")))
+        .map(|node| node.number(FORMAT, "the distortion").ok())
+        .collect();
+    let origin = first.place.origin(format!("{prefix}.fx, fy, cx, cy"));
+    Ok(Some(Camera {
+        distortion: checks::coefficients(coefficients),
+        model: get("Camera.type").and_then(Node::text).map(str::to_owned),
+        ..camera(FORMAT, name, pinhole, (size, basis, origin))?
+    }))
 }
 
 fn read_baseline<'a>(
@@ -75,7 +86,8 @@ fn read_baseline<'a>(
         let shift = Transform::read(node, FORMAT, "Stereo.T_c1_c2")?.shift;
         let [x, y, _] = shift;
         super::matrix::place_pair(found, [0, 1], [x, y]);
-        found.baseline = in_meters(length(shift), &mut found.warnings);
+        let baseline = in_meters(length(shift), &mut found.warnings);
+        found.measure(baseline, node.place.origin("|t| of Stereo.T_c1_c2"));
         found.warnings.push(Warning::Raw { format: FORMAT });
         return Ok(());
     }
@@ -86,7 +98,15 @@ fn read_baseline<'a>(
             if value < 0.0 {
                 found.warnings.push(Warning::NegativeBaseline);
             }
-            found.baseline = in_meters(value.abs(), &mut found.warnings);
+            let baseline = in_meters(value.abs(), &mut found.warnings);
+            let (key, how) = if b.is_some() {
+                ("Stereo.b", "Stereo.b")
+            } else {
+                ("Camera.bf", "Camera.bf / fx")
+            };
+            if let Some(node) = get(key) {
+                found.measure(baseline, node.place.origin(how));
+            }
         }
         None => found.warnings.push(Warning::NoBaseline { format: FORMAT }),
     }

@@ -3,10 +3,11 @@
 //! Source: librealsense, `tools/enumerate-devices`; the infrared streams are rectified by the camera.
 
 use super::matrix::size;
-use crate::checks::{camera, doffs, in_meters};
+use crate::checks::{camera, coefficients, in_meters, read_doffs};
 use crate::format::Format;
 use crate::found::{Basis, Camera, Found, Warning};
 use crate::geometry::length;
+use crate::place::Place;
 use crate::refusal::Refusal;
 use crate::text::{Line, lines};
 
@@ -26,10 +27,10 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
     };
     let mut found = Found::of(FORMAT);
     if let (Some(left), Some(right)) = (infrared('1'), infrared('2')) {
-        found.baseline = match shift(&all)? {
-            Some(shift) => in_meters(length(shift), &mut found.warnings),
-            None => None,
-        };
+        if let Some((shift, place)) = shift(&all)? {
+            let baseline = in_meters(length(shift), &mut found.warnings);
+            found.measure(baseline, place.origin("|Translation Vector| from Infrared 1 to Infrared 2"));
+        }
         found.ignored = cameras
             .iter()
             .filter(|one| !one.name.starts_with("Infrared"))
@@ -37,7 +38,7 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
             .collect();
         found.cameras = vec![left, right];
         found.pair = Some([0, 1]);
-        found.doffs = doffs(&found, None).0;
+        read_doffs(&mut found, None);
     } else {
         found.cameras = cameras;
     }
@@ -58,7 +59,9 @@ fn stream(all: &[Line<'_>]) -> Result<Option<Camera>, Refusal> {
     let Some(head) = all.first() else { return Ok(None) };
     let name = head.text.split('"').nth(1).unwrap_or_default();
     let mut numbers = [f64::NAN; 6];
+    let mut distortion = Vec::new();
     let mut has_coefficients = false;
+    let mut model = None;
     for line in all.iter().skip(1).take_while(|line| !line.text.starts_with("Intrinsic of")) {
         let Some((key, value)) = line.text.split_once(':') else { continue };
         let at = ["Width", "Height", "Fx", "Fy", "PPX", "PPY"]
@@ -68,8 +71,12 @@ fn stream(all: &[Line<'_>]) -> Result<Option<Camera>, Refusal> {
             let [number] = line.array(value, FORMAT, key.trim(), "1")?;
             *place = number;
         }
+        if key.trim() == "Distortion" {
+            model = Some(value.trim().to_owned());
+        }
         if key.trim() == "Coeffs" {
-            has_coefficients = value.split_whitespace().any(|part| crate::number::number(part) != Some(0.0));
+            distortion = coefficients(crate::number::numbers(value));
+            has_coefficients = distortion.is_empty() || distortion.iter().any(|number| *number != 0.0);
             break;
         }
     }
@@ -82,11 +89,16 @@ fn stream(all: &[Line<'_>]) -> Result<Option<Camera>, Refusal> {
     } else {
         Basis::Raw
     };
-    camera(FORMAT, name, [fx, fy, cx, cy], (size([width, height]), basis, head.number)).map(Some)
+    let place = (size([width, height]), basis, head.place.origin("Fx, Fy, PPX, PPY"));
+    Ok(Some(Camera {
+        distortion,
+        model,
+        ..camera(FORMAT, name, [fx, fy, cx, cy], place)?
+    }))
 }
 
 /// From the first infrared camera to the second.
-fn shift(all: &[Line<'_>]) -> Result<Option<[f64; 3]>, Refusal> {
+fn shift(all: &[Line<'_>]) -> Result<Option<([f64; 3], Place)>, Refusal> {
     let is_head = |line: &&Line<'_>| {
         let words: Vec<&str> = line.text.split('"').collect();
         let pair = (words.get(1).copied().unwrap_or_default(), words.get(3).copied().unwrap_or_default());
@@ -100,5 +112,5 @@ fn shift(all: &[Line<'_>]) -> Result<Option<[f64; 3]>, Refusal> {
     let vector = rest.iter().find(|line| line.text.starts_with("Translation Vector"));
     let Some(line) = vector else { return Ok(None) };
     let values = line.text.split_once(':').map_or("", |(_, values)| values);
-    line.array(values, FORMAT, "the translation", "3").map(Some)
+    Ok(Some((line.array(values, FORMAT, "the translation", "3")?, line.place)))
 }

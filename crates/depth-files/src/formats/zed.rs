@@ -2,10 +2,11 @@
 //!
 //! Source: Stereolabs, zed-opencv-native, `calibration.hpp`.
 
-use crate::checks::{Pinhole, camera};
+use crate::checks::{Pinhole, camera, coefficients};
 use crate::format::Format;
-use crate::found::{Baseline, Basis, Found, Warning};
+use crate::found::{Baseline, Basis, Camera, Found, Warning};
 use crate::number::number;
+use crate::place::Place;
 use crate::refusal::Refusal;
 use crate::text::lines;
 use depth_core::quantity::{Length, LengthUnit};
@@ -26,8 +27,8 @@ const MODES: [(&str, [u32; 2]); 7] = [
 /// What stands in a section.
 struct Section {
     name: String,
-    line: usize,
-    entries: Vec<(String, String, usize)>,
+    place: Place,
+    entries: Vec<(String, String, Place)>,
 }
 
 pub(super) fn read(text: &str) -> Result<Found, Refusal> {
@@ -42,17 +43,25 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
         };
         let size = MODES.iter().find(|(name, _)| *name == mode).map(|(_, size)| *size);
         let name = format!("{} {mode}", side.to_ascii_lowercase());
-        let place = (size, Basis::Raw, section.line);
-        found.cameras.push(camera(FORMAT, &name, pinhole(section)?, place)?);
+        let place = (
+            size,
+            Basis::Raw,
+            section.place.origin(format!("fx, fy, cx, cy of [{}]", section.name)),
+        );
+        found.cameras.push(Camera {
+            distortion: distortion(section),
+            ..camera(FORMAT, &name, pinhole(section)?, place)?
+        });
     }
     let stereo = sections.iter().find(|section| section.name == "STEREO");
     match stereo.and_then(|section| section.entries.iter().find(|(key, ..)| key == "baseline")) {
-        Some((_, text, line)) => {
-            let value = number(text.trim_end_matches("mm")).ok_or_else(|| not_a_number("Baseline", text, *line))?;
+        Some((_, text, place)) => {
+            let value = number(text.trim_end_matches("mm")).ok_or_else(|| not_a_number("Baseline", text, *place))?;
             if value < 0.0 {
                 found.warnings.push(Warning::NegativeBaseline);
             }
-            found.baseline = (value != 0.0).then(|| Baseline::Known(Length::new(value.abs(), LengthUnit::Millimeter)));
+            let baseline = (value != 0.0).then(|| Baseline::Known(Length::new(value.abs(), LengthUnit::Millimeter)));
+            found.measure(baseline, place.origin("Baseline"));
         }
         None => found.warnings.push(Warning::NoBaseline { format: FORMAT }),
     }
@@ -72,22 +81,29 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
 fn pinhole(section: &Section) -> Result<Pinhole, Refusal> {
     let mut pinhole: Pinhole = [0.0; 4];
     for (value, name) in pinhole.iter_mut().zip(["fx", "fy", "cx", "cy"]) {
-        let Some((_, text, line)) = section.entries.iter().find(|(key, ..)| key == name) else {
+        let Some((_, text, place)) = section.entries.iter().find(|(key, ..)| key == name) else {
             return Err(Refusal::Missing {
                 format: FORMAT,
                 what: "fx, fy, cx or cy",
             });
         };
-        *value = number(text).ok_or_else(|| not_a_number(name, text, *line))?;
+        *value = number(text).ok_or_else(|| not_a_number(name, text, *place))?;
     }
     Ok(pinhole)
 }
 
-fn not_a_number(name: &str, text: &str, line: usize) -> Refusal {
+/// k1 to k4, p1 and p2, as far as they are there, in the order of the file.
+fn distortion(section: &Section) -> Vec<f64> {
+    let is_one = |key: &str| key.len() == 2 && key.starts_with(['k', 'p']);
+    let all = section.entries.iter().filter(|(key, ..)| is_one(key));
+    coefficients(all.map(|(_, text, _)| number(text)).collect())
+}
+
+fn not_a_number(name: &str, text: &str, place: Place) -> Refusal {
     Refusal::NotANumber {
         format: FORMAT,
         name: name.to_owned(),
-        line,
+        place,
         text: text.to_owned(),
     }
 }
@@ -98,11 +114,11 @@ fn sections(text: &str) -> Vec<Section> {
         if let Some(name) = line.text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
             all.push(Section {
                 name: name.trim().to_ascii_uppercase(),
-                line: line.number,
+                place: line.place,
                 entries: Vec::new(),
             });
         } else if let (Some(section), Some((key, value))) = (all.last_mut(), line.text.split_once('=')) {
-            let entry = (key.trim().to_ascii_lowercase(), value.trim().to_owned(), line.number);
+            let entry = (key.trim().to_ascii_lowercase(), value.trim().to_owned(), line.place);
             section.entries.push(entry);
         }
     }
