@@ -4,6 +4,8 @@
 const BUILD = '';
 /** Name and digest (as for Subresource Integrity) of each: what a host still has of another build is not kept as part of this one. */
 const FILES = [];
+/** The same of what most visitors never use: it is kept from the first use on. */
+const LATER = [];
 
 /** Several sites, and several copies of this one, may share an origin and so its caches. */
 const OURS = `depth-calculator ${registration.scope} `;
@@ -13,6 +15,7 @@ const PATIENCE_MS = 4000;
 
 const address = (name) => new URL(name, registration.scope).href;
 const ADDRESSES = new Set(FILES.map(([name]) => address(name)));
+const LATER_BY_ADDRESS = new Map(LATER.map((file) => [address(file[0]), file]));
 /** Where the pages are kept, by where they are asked for. */
 const PAGES = new Map([
   [address('./'), address('./')],
@@ -38,6 +41,14 @@ async function keep([name, integrity]) {
   const copy = answer.redirected ? new Response(await answer.blob(), { headers: answer.headers }) : answer;
   const cache = await caches.open(CACHE);
   await cache.put(address(name), copy);
+}
+
+/** Keeps a file that is used for the first time. Where there is no room for it, it is used all the same. */
+async function used(request, file) {
+  const before = await kept(request.url);
+  if (before) return before;
+  await keep(file).catch(() => {});
+  return (await kept(request.url)) ?? fetch(request);
 }
 
 async function forgetOtherBuilds() {
@@ -79,6 +90,8 @@ addEventListener('fetch', (event) => {
     if (PAGES.has(url)) event.respondWith(page(request, PAGES.get(url)));
   } else if (ADDRESSES.has(request.url)) {
     event.respondWith(kept(request.url).then((answer) => answer ?? fetch(request)));
+  } else if (LATER_BY_ADDRESS.has(request.url)) {
+    event.respondWith(used(request, LATER_BY_ADDRESS.get(request.url)));
   }
 });
 

@@ -7,7 +7,7 @@ use crate::files::collect_files;
 use crate::origin::{cargo_home, nameless};
 use crate::prerequisites::{self, Needs};
 use crate::step::{command, root, run, step};
-use crate::{compress, scripts, site, tools};
+use crate::{compress, scripts, second_module, site, tools};
 
 /// Bytes on the disk, as measured with `du`.
 pub(crate) const BUILD_BYTES: u64 = 2_000_000_000;
@@ -76,6 +76,7 @@ pub(crate) fn build() -> Result<PathBuf, String> {
         // Trunk takes NO_COLOR=1, which is how others understand it, for a mistake.
         run(trunk.env("PATH", &path).env_remove("NO_COLOR"))?;
         let dist = root().join("dist");
+        second_module::name(&dist)?;
         write_program_size(&dist)?;
         scripts::strip_comments(&dist)?;
         site::build(&dist)?;
@@ -91,7 +92,7 @@ fn write_program_size(dist: &Path) -> Result<(), String> {
     let program = fs::read_dir(dist)
         .map_err(|error| format!("dist/ cannot be read: {error}."))?
         .filter_map(|entry| Some(entry.ok()?.path()))
-        .find(|path| path.extension().is_some_and(|extension| extension == "wasm"))
+        .find(|path| path.extension().is_some_and(|extension| extension == "wasm") && !second_module::is_of_it(path))
         .ok_or("The build left no WebAssembly file in dist/.")?;
     let size = fs::metadata(&program)
         .map_err(|error| format!("{} cannot be read: {error}.", program.display()))?

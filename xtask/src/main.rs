@@ -18,6 +18,7 @@ mod plan;
 mod platforms;
 mod prerequisites;
 mod scripts;
+mod second_module;
 mod serve;
 mod site;
 mod size;

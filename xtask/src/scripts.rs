@@ -47,7 +47,7 @@ fn integrity(script: &str) -> String {
 }
 
 /// `script` without the comments that have lines of their own, blank lines and indentation. No text in our scripts has several lines.
-fn without_comments(script: &str) -> String {
+pub(crate) fn without_comments(script: &str) -> String {
     let mut is_inside = false;
     let mut kept = String::with_capacity(script.len());
     for line in script.lines().map(str::trim) {

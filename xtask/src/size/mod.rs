@@ -11,16 +11,56 @@ use std::fs;
 use std::path::Path;
 
 use crate::compress;
+use crate::files::collect_files;
+use crate::second_module;
 use first_visit::is_program;
 
 /// With brotli. At 10 Mbit/s that is 0.7 s.
 const BUDGET: u64 = 900_000;
+/// With brotli, of the second module, which is loaded when there is the first work for it.
+const SECOND_BUDGET: u64 = 600_000;
 /// Lines of the bill that are printed.
 const LINES: usize = 40;
 
 /// Prints the size of every file of the first visit to the page in `dist`, and what the program consists of.
 /// Err: a sentence, where the files are larger than the budget.
 pub(crate) fn check(dist: &Path) -> Result<(), String> {
+    let first = check_first(dist);
+    let second = check_second(dist);
+    first.and(second)
+}
+
+/// Prints the size of the second module. Err: a sentence, where it is larger than its budget.
+fn check_second(dist: &Path) -> Result<(), String> {
+    let mut paths = Vec::new();
+    collect_files(dist, &mut paths).map_err(|error| format!("dist/ cannot be read: {error}."))?;
+    paths.retain(|path| second_module::is_of_it(path));
+    paths.sort();
+    let sizes = compress::sizes(&paths)?;
+    println!(
+        "\n{:>12} {:>12} {:>12}  file of the second module",
+        "bytes", "with gzip", "with brotli"
+    );
+    let mut sum = 0;
+    for ([raw, gzip, brotli], path) in sizes.iter().zip(&paths) {
+        let name = path.file_name().unwrap_or_default().display();
+        println!("{raw:>12} {gzip:>12} {brotli:>12}  {name}");
+        sum += brotli;
+    }
+    println!("{:>12} {:>12} {sum:>12}  together; at most {SECOND_BUDGET} with brotli", "", "");
+    if paths.len() != 3 {
+        return Err(format!("The second module should be three files; it is {}.", paths.len()));
+    }
+    if sum > SECOND_BUDGET {
+        return Err(format!(
+            "The second module has {sum} bytes with brotli, {} more than its budget of {SECOND_BUDGET}.",
+            sum - SECOND_BUDGET
+        ));
+    }
+    Ok(())
+}
+
+fn check_first(dist: &Path) -> Result<(), String> {
     let files = first_visit::files(dist)?;
     let paths: Vec<_> = files.iter().map(|file| dist.join(file)).collect();
     let sizes = compress::sizes(&paths)?;

@@ -43,6 +43,8 @@ struct Options {
 fn main() -> Result<()> {
     let options = Options::parse();
     let mut bindgen = Bindgen::new();
+    // The page draws; what a Worker runs does not, and has no functions of those lists.
+    let draws = matches!(options.target, Target::Web);
     match options.target {
         Target::Web => bindgen.web(true)?,
         Target::NoModules => bindgen.no_modules(true)?,
@@ -53,7 +55,7 @@ fn main() -> Result<()> {
         // Beside the module, of which it is a part: it is read once.
         let input = options.input.with_extension("used.wasm");
         let module = fs::read(&options.input).context("the module cannot be read")?;
-        fs::write(&input, unused::without_unused(&module)?)?;
+        fs::write(&input, unused::without_unused(&module, draws)?)?;
         input
     };
     bindgen

@@ -88,12 +88,16 @@ const UNSEEN: &[&[&str]] = &[
 ];
 
 /// `module` with an instruction that traps in place of what [`UNUSED`] names, nothing in place of what [`UNSEEN`] names, and neither the
-/// functions nor the data that only these reach.
+/// functions nor the data that only these reach. The lists are of a module that `draws`.
 ///
 /// # Errors
 /// Where a function of the lists is not in the module: then they are too long.
-pub fn without_unused(module: &[u8]) -> Result<Vec<u8>> {
-    without(module, UNUSED, UNSEEN)
+pub fn without_unused(module: &[u8], draws: bool) -> Result<Vec<u8>> {
+    if draws {
+        without(module, UNUSED, UNSEEN)
+    } else {
+        without(module, &[], &[])
+    }
 }
 
 fn without(module: &[u8], unused: &[&[&str]], unseen: &[&[&str]]) -> Result<Vec<u8>> {
