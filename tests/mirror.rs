@@ -29,6 +29,9 @@ impl Platform for Machine {
     }
     fn copy(&mut self, _ctx: &egui::Context, _text: String) {}
     fn save_file(&mut self, _ctx: &egui::Context, _name: &str, _contents: FileContents) {}
+    fn open_files(&mut self, _ctx: &egui::Context) {}
+    fn start(&mut self, _ctx: &egui::Context, _run: depth_jobs::Run, _job: depth_jobs::Job, _attachments: Vec<depth_jobs::Attachment>) {}
+    fn cancel(&mut self, _ctx: &egui::Context, _run: depth_jobs::Run) {}
     fn print(&mut self) -> bool {
         false
     }

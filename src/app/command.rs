@@ -3,6 +3,7 @@
 
 use super::copyable::Copyable;
 use super::dialog::Dialog;
+use super::rigs::Rig;
 use super::saved::Screen;
 use super::sentences::NoticeText;
 use crate::core::problem::Field;
@@ -85,6 +86,30 @@ pub enum Command {
     GoTo(FieldKey),
     /// Put what the machine holds to paste into the field that has the focus.
     Paste,
+    /// Open the dialog that opens calibration files, or ask again in it.
+    ShowImport,
+    /// Close it.
+    CloseImport,
+    /// Have the person choose calibration files.
+    OpenFiles,
+    /// Have the person choose files that belong to those that are open.
+    AddFiles,
+    /// Read the text of a calibration file.
+    ReadText(String),
+    /// Keep this rig, and show it.
+    AddRig(Box<Rig>),
+    /// Keep this rig, which was read from files, and fill it into the calculator.
+    UseCalibration(Box<Rig>),
+    /// Show the rig at this place.
+    ShowRig(usize),
+    /// Fill the rig at this place into the calculator.
+    UseRig(usize),
+    /// Remove the rig at this place.
+    RemoveRig(usize),
+    /// Put a rig that was removed back at its place.
+    PutBackRig(usize, Box<Rig>),
+    /// Save all rigs as a file.
+    ExportRigs,
     /// Show a screen.
     Show(Screen),
     /// Show results in this unit.
@@ -118,6 +143,16 @@ impl Command {
             Self::Ask(mode) => mode.name(),
             Self::ShowRefinements(_) => "Range, tilt, zero point",
             Self::Paste => "Paste",
+            Self::ShowImport => "Calibration file…",
+            Self::OpenFiles => "Open files…",
+            Self::AddFiles => "Add another file…",
+            Self::ReadText(_) => "Read the text",
+            Self::AddRig(_) => "New rig",
+            Self::UseCalibration(_) | Self::UseRig(_) => "Use in calculator",
+            Self::RemoveRig(_) => "Remove",
+            Self::PutBackRig(..) => "Undo",
+            Self::ExportRigs => "Save as JSON",
+            Self::CloseImport => "Cancel",
             Self::Show(screen) => screen.name(),
             Self::ShowResultsIn(unit) => unit.symbol(),
             Self::Theme(ThemePreference::System) => "As the system",
@@ -131,6 +166,7 @@ impl Command {
             | Self::AskForWidth(..)
             | Self::GoTo(_)
             | Self::Drag(..)
+            | Self::ShowRig(_)
             | Self::Settle => "",
         }
     }
@@ -159,7 +195,11 @@ impl Command {
                 }
             }
             Self::Show(Screen::Calculator) => const { &[Shortcut::new(Modifiers::ALT, Key::Num1, Scope::Everywhere)] },
-            Self::Show(Screen::Learn) => const { &[Shortcut::new(Modifiers::ALT, Key::Num2, Scope::Everywhere)] },
+            Self::Show(Screen::Rigs) => const { &[Shortcut::new(Modifiers::ALT, Key::Num2, Scope::Everywhere)] },
+            Self::Show(Screen::Learn) => const { &[Shortcut::new(Modifiers::ALT, Key::Num3, Scope::Everywhere)] },
+            // A browser has that key for itself.
+            #[cfg(not(target_arch = "wasm32"))]
+            Self::OpenFiles => const { &[Shortcut::new(Modifiers::COMMAND, Key::O, Scope::Everywhere)] },
             // In a browser that is its own key for printing, which never comes here.
             Self::SaveReport => const { &[Shortcut::new(Modifiers::COMMAND, Key::P, Scope::Everywhere)] },
             Self::ShowDialog(Some(Dialog::Keys)) => {
@@ -194,11 +234,23 @@ impl Command {
             | Self::FillIn(_)
             | Self::AskForWidth(..)
             | Self::Ask(_)
+            | Self::UseCalibration(_)
+            | Self::UseRig(_)
             | Self::Settle => true,
             Self::Drag(..)
             | Self::SavePicture(..)
             | Self::SaveReport
             | Self::Copy(_)
+            | Self::ShowImport
+            | Self::CloseImport
+            | Self::OpenFiles
+            | Self::AddFiles
+            | Self::ReadText(_)
+            | Self::AddRig(_)
+            | Self::ShowRig(_)
+            | Self::RemoveRig(_)
+            | Self::PutBackRig(..)
+            | Self::ExportRigs
             | Self::Show(_)
             | Self::ShowDialog(_)
             | Self::Help(_)

@@ -11,12 +11,15 @@ mod command;
 mod context;
 mod copyable;
 mod dialog;
+mod import;
 mod learn;
 mod logic;
 mod navigation;
 mod notice;
+mod opening;
 mod platform;
 mod report;
+mod rigs;
 mod saved;
 mod sentences;
 mod session;
@@ -31,10 +34,13 @@ use calculator::Calculator;
 use chart_picture::ChartPicture;
 use command::Command;
 pub use copyable::Copyable;
+use depth_jobs::Run;
 use dialog::Dialog;
 use egui::Ui;
+use import::Import;
 use notice::Notice;
-pub use platform::{Event, FileContents, Licenses, Platform};
+pub use platform::{Event, FileContents, Licenses, OpenedFile, Platform};
+use rigs::Rigs;
 use saved::{Saved, Screen, Settings};
 use sentences::FreshStart;
 #[cfg(target_arch = "wasm32")]
@@ -57,6 +63,11 @@ pub struct App {
     /// Storage holds a state that could not be read; it must not be overwritten.
     holds_unreadable: bool,
     calculator: Calculator,
+    rigs: Rigs,
+    /// The dialog that opens calibration files, where it is open.
+    import: Option<Import>,
+    /// The number of the last work beside the window.
+    last_run: Run,
     notice: Option<Notice>,
     /// The dialog over the screen.
     dialog: Option<Dialog>,
@@ -96,6 +107,9 @@ impl App {
             stored: saved,
             holds_unreadable: unread.is_some(),
             calculator: Calculator::default(),
+            rigs: Rigs::default(),
+            import: None,
+            last_run: 0,
             notice: None,
             dialog: None,
             copied: Copyable::Results,

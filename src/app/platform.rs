@@ -2,6 +2,8 @@
 
 use super::sentences::{Place, PlatformError};
 use super::theme::Colors;
+use depth_jobs::{Attachment, Job, Report, Run};
+use egui::DroppedFileHandle;
 
 /// What the program needs from the machine it runs on.
 pub trait Platform {
@@ -36,6 +38,19 @@ pub trait Platform {
 
     /// Starts giving the person a file with this name, or one like it where that is taken; the outcome comes later as [`Event::Saved`].
     fn save_file(&mut self, ctx: &egui::Context, name: &str, contents: FileContents);
+
+    /// Has the person choose files; what they hold comes later as [`Event::Opened`], nothing where the person chooses none.
+    fn open_files(&mut self, ctx: &egui::Context);
+
+    /// Reads files that were dropped on the window; what they hold comes later as [`Event::Opened`]. A browser hands them to the page
+    /// and not to egui, which is told of those alone that are dropped on its canvas.
+    fn read_dropped(&mut self, _ctx: &egui::Context, _files: Vec<DroppedFileHandle>) {}
+
+    /// Starts work beside the window, which reports as [`Event::Job`].
+    fn start(&mut self, ctx: &egui::Context, run: Run, job: Job, attachments: Vec<Attachment>);
+
+    /// Gives work up. It ends within a second, which is reported too.
+    fn cancel(&mut self, ctx: &egui::Context, run: Run);
 
     /// Opens the dialog that prints the report of the session, for which the platform asks the application. Returns whether there is
     /// one: where there is none, a report is a file.
@@ -84,6 +99,25 @@ pub enum Event {
     Link(String),
     /// The person went back or forward to the screen with this name.
     Screen(String),
+    /// What files hold that were chosen or dropped.
+    Opened(Result<Vec<OpenedFile>, PlatformError>),
+    /// What work beside the window reports.
+    Job(Report),
+}
+
+/// A file that was opened.
+#[derive(Clone, PartialEq, Eq)]
+pub struct OpenedFile {
+    /// Its name, without its folder.
+    pub name: String,
+    /// What it holds.
+    pub bytes: Vec<u8>,
+}
+
+impl std::fmt::Debug for OpenedFile {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} ({} bytes)", self.name, self.bytes.len())
+    }
 }
 
 /// What a file holds that the program gives out.
@@ -93,6 +127,8 @@ pub enum FileContents {
     Picture(egui::ColorImage),
     /// A page, as HTML.
     Page(String),
+    /// Data, as JSON.
+    Data(String),
 }
 
 /// Where the licenses of everything in the program are.

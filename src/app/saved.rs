@@ -1,5 +1,6 @@
 //! The state that survives a reload and a restart, and its text form.
 
+use super::rigs::RigList;
 use super::sentences::PlatformError;
 use crate::core::quantity::LengthUnit;
 use depth_text::entry::Entries;
@@ -18,18 +19,21 @@ pub enum Screen {
     /// The form and its results.
     #[default]
     Calculator,
+    /// Cameras and pairs of them, kept.
+    Rigs,
     /// The formulas, explained.
     Learn,
 }
 
 impl Screen {
     /// Every screen, in the order of the tabs.
-    pub const ALL: [Self; 2] = [Self::Calculator, Self::Learn];
+    pub const ALL: [Self; 3] = [Self::Calculator, Self::Rigs, Self::Learn];
 
     /// The text of its tab.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Calculator => "Calculator",
+            Self::Rigs => "Rigs",
             Self::Learn => "Learn",
         }
     }
@@ -63,6 +67,8 @@ pub struct Settings {
     pub entries: Entries,
     /// The way chosen in each helper.
     pub ways: Ways,
+    /// The rigs that are kept.
+    pub rigs: RigList,
 }
 
 /// The key of the chosen way, by that of the helper.
@@ -78,6 +84,7 @@ impl Default for Settings {
             shows_refinements: false,
             entries: Entries::default(),
             ways: Ways::new(),
+            rigs: RigList::default(),
         }
     }
 }
@@ -134,6 +141,8 @@ struct Stored {
     entries: Entries,
     #[serde(default)]
     ways: Ways,
+    #[serde(default)]
+    rigs: RigList,
 }
 
 /// The stored text of version 1, which kept texts by the English labels of their fields.
@@ -163,6 +172,7 @@ impl From<StoredVersion1> for Stored {
             shows_refinements: false,
             shows_geometry: stored.shows_geometry,
             shows_two: false,
+            rigs: RigList::default(),
             ways: version1::ways(&stored.texts),
             entries: version1::entries(stored.texts),
         }
@@ -199,6 +209,7 @@ impl Saved {
             shows_two: false,
             entries: self.settings.entries.clone(),
             ways: self.settings.ways.clone(),
+            rigs: self.settings.rigs.clone(),
         })
         .map_err(|error| PlatformError::NotSerialized { reason: error.to_string() })
     }
@@ -238,6 +249,7 @@ impl From<Stored> for Saved {
                 shows_refinements: stored.shows_refinements || stored.shows_geometry,
                 entries: stored.entries,
                 ways: stored.ways,
+                rigs: stored.rigs,
             },
         }
     }
@@ -247,6 +259,7 @@ impl From<Stored> for Saved {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
+    use crate::app::rigs::Rig;
     use depth_text::entry::Entry;
     use depth_text::field::Key;
     use depth_text::fields;
@@ -273,6 +286,14 @@ mod tests {
                 shows_refinements: true,
                 entries: entries(&[(fields::LENS, "4", "")]),
                 ways: Ways::from([("d".into(), "kitti".into())]),
+                rigs: RigList {
+                    all: vec![Rig {
+                        name: "Robot".into(),
+                        inputs: Example::CoffeeMug.inputs(),
+                        ..Rig::default()
+                    }],
+                    shown: 0,
+                },
             },
         };
         assert_eq!(Saved::from_text(&saved.to_text().unwrap()), Some(saved));

@@ -6,10 +6,11 @@ use super::command::Command;
 use super::context::AppContext;
 use super::dialog::Dialog;
 use super::notice::Notice;
+use super::rigs::Rigs;
 use super::saved::Screen;
 use super::theme::{self, Layout};
 use super::widgets::bottom_bar::BottomBar;
-use super::{about, learn, navigation, shortcuts};
+use super::{about, import, learn, navigation, shortcuts};
 use egui::accesskit::Role;
 use egui::{Align, CentralPanel, Frame, Margin, Panel, Stroke, Ui, UiBuilder};
 
@@ -17,6 +18,7 @@ impl App {
     /// Draws a frame and queues its commands for [`Self::update`].
     pub(super) fn frame_ui(&mut self, ui: &mut Ui) {
         let mut commands = Vec::from_iter(shortcuts::pressed(ui.ctx()));
+        commands.extend(pasted_file(ui.ctx()));
         let ctx = ui.ctx().clone();
         let cx = &mut AppContext {
             egui: &ctx,
@@ -33,8 +35,11 @@ impl App {
                 .show(ui, |ui| navigation::ui(ui, cx));
         }
         let bottom_bar = BottomBar::new(ui, "screen", (cx.settings.screen, cx.layout, self.notice.is_some()));
-        bottom_bar.above_ui(ui, |ui| screen_ui(ui, cx, &mut self.calculator));
+        bottom_bar.above_ui(ui, |ui| screen_ui(ui, cx, &mut self.calculator, &mut self.rigs));
         bottom_bar.below_ui(ui, |ui| bottom_ui(ui, cx, self.notice.as_ref()));
+        if let Some(import) = &mut self.import {
+            import::ui(ui, cx, import);
+        }
         match self.dialog {
             Some(Dialog::Keys) => shortcuts::ui(ui, cx),
             Some(Dialog::About) => about::ui(ui, cx),
@@ -66,7 +71,20 @@ impl App {
     }
 }
 
-fn screen_ui(ui: &mut Ui, cx: &mut AppContext<'_>, calculator: &mut Calculator) {
+/// A calibration file whose text was pasted where no field takes it.
+fn pasted_file(ctx: &egui::Context) -> Option<Command> {
+    if ctx.text_edit_focused() {
+        return None;
+    }
+    ctx.input(|input| {
+        input.events.iter().find_map(|event| match event {
+            egui::Event::Paste(text) if import::is_file(text) => Some(Command::ReadText(text.clone())),
+            _ => None,
+        })
+    })
+}
+
+fn screen_ui(ui: &mut Ui, cx: &mut AppContext<'_>, calculator: &mut Calculator, rigs: &mut Rigs) {
     let background = Frame::new().fill(theme::palette(ui).page).inner_margin(Margin {
         left: cx.layout.screen_margin(),
         right: cx.layout.screen_margin(),
@@ -83,6 +101,7 @@ fn screen_ui(ui: &mut Ui, cx: &mut AppContext<'_>, calculator: &mut Calculator) 
             ui.set_max_width(ui.available_width().min(theme::CONTENT_WIDTH));
             ui.scope_builder(panel.layout(egui::Layout::top_down(Align::Min)), |ui| match screen {
                 Screen::Calculator => calculator.ui(ui, cx),
+                Screen::Rigs => rigs.ui(ui, cx),
                 Screen::Learn => learn::ui(ui, cx),
             });
         });

@@ -1,6 +1,8 @@
 //! A machine for the program to run on.
 
-use depth_calculator::app::{Event, FileContents, Licenses, Place, Platform, PlatformError};
+use depth_calculator::app::{Event, FileContents, Licenses, OpenedFile, Place, Platform, PlatformError};
+use depth_jobs::engine::Engine;
+use depth_jobs::{Attachment, Job, Request, Run};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
@@ -16,6 +18,13 @@ pub struct Machine {
     /// The files that were saved, with their names.
     pub files: Rc<RefCell<Vec<(String, FileContents)>>>,
     pub saved: Rc<RefCell<Option<Result<Place, PlatformError>>>>,
+    /// What the person chooses when they are asked for files, or what was dropped.
+    pub chosen: Rc<RefCell<Option<Result<Vec<OpenedFile>, PlatformError>>>>,
+    /// Whether they have been asked, or have dropped something.
+    pub is_asked: Rc<Cell<bool>>,
+    /// Whoever works beside the window, and whether work lies there undone.
+    pub engine: Rc<RefCell<Engine>>,
+    pub is_slow: Rc<Cell<bool>>,
     /// Whether it has a dialog for printing, and how often that was opened.
     pub has_paper: bool,
     pub printed: Rc<Cell<u32>>,
@@ -70,6 +79,22 @@ impl Platform for Machine {
         *self.saved.borrow_mut() = Some(outcome);
         ctx.request_repaint();
     }
+    fn open_files(&mut self, ctx: &egui::Context) {
+        self.is_asked.set(true);
+        ctx.request_repaint();
+    }
+    fn read_dropped(&mut self, ctx: &egui::Context, _files: Vec<egui::DroppedFileHandle>) {
+        self.is_asked.set(true);
+        ctx.request_repaint();
+    }
+    fn start(&mut self, ctx: &egui::Context, run: Run, job: Job, attachments: Vec<Attachment>) {
+        self.engine.borrow_mut().receive(Request::Start { run, job }, attachments);
+        ctx.request_repaint();
+    }
+    fn cancel(&mut self, ctx: &egui::Context, run: Run) {
+        self.engine.borrow_mut().receive(Request::Cancel { run }, Vec::new());
+        ctx.request_repaint();
+    }
     fn print(&mut self) -> bool {
         self.printed.set(self.printed.get() + u32::from(self.has_paper));
         self.has_paper
@@ -93,6 +118,14 @@ impl Platform for Machine {
         let link = self.link.borrow_mut().take().map(Event::Link);
         let copied = self.copied.borrow_mut().take().map(Event::Copied);
         let saved = self.saved.borrow_mut().take().map(Event::Saved);
-        link.into_iter().chain(copied).chain(saved).collect()
+        let opened = if self.is_asked.take() {
+            self.chosen.borrow_mut().take().map(Event::Opened)
+        } else {
+            None
+        };
+        let mut engine = self.engine.borrow_mut();
+        while !self.is_slow.get() && engine.step() {}
+        let reports = std::iter::from_fn(|| engine.report().map(Event::Job));
+        link.into_iter().chain(copied).chain(saved).chain(opened).chain(reports).collect()
     }
 }

@@ -23,6 +23,7 @@ mod llvmpipe;
 mod machine;
 mod program;
 mod results;
+mod rigs;
 mod snapshots;
 mod still;
 mod storage;

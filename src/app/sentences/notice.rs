@@ -27,6 +27,16 @@ pub enum NoticeText {
     FilledByLink,
     /// A Q matrix was taken over.
     FilledByQMatrix,
+    /// A rig was filled in.
+    FilledByRig(String),
+    /// Rigs of a file were added, and so many found no room.
+    RigsAdded { added: usize, left_out: usize },
+    /// A rig was removed.
+    RigRemoved(String),
+    /// The rigs cannot be written as text.
+    RigsNotSaved { reason: String },
+    /// Files could not be opened.
+    NotOpened(PlatformError),
     /// An edit was undone.
     Undone,
     /// There is no edit to undo.
@@ -66,13 +76,19 @@ impl Display for NoticeText {
             }
             Self::Copied(Copyable::QMatrix) => f.write_str("Q matrix copied to the clipboard; its baseline is in meters."),
             Self::Copied(Copyable::Value(value)) => write!(f, "“{value}” copied to the clipboard."),
-            Self::NotCopied(error) | Self::NotPasted(error) | Self::NotSaved(error) => error.fmt(f),
+            Self::NotCopied(error) | Self::NotPasted(error) | Self::NotSaved(error) | Self::NotOpened(error) => error.fmt(f),
             Self::Saved(place) => write!(f, "Saved {place}."),
             Self::Cleared => f.write_str("All fields are cleared."),
             Self::NothingToClear => f.write_str("There was nothing to clear."),
             Self::FilledByExample => f.write_str("The example is filled in."),
             Self::FilledByLink => f.write_str("The link filled in the fields that it names."),
             Self::FilledByQMatrix => f.write_str("The Q matrix filled in focal length, baseline, doffs and the principal point (cx, cy)."),
+            Self::FilledByRig(name) => write!(f, "“{name}” is filled in."),
+            Self::RigsAdded { added: 0, .. } => f.write_str("No rig was added: there are six already. Remove one first."),
+            Self::RigsAdded { added, left_out: 0 } => write!(f, "{added} {} added.", if *added == 1 { "rig was" } else { "rigs were" }),
+            Self::RigsAdded { added, left_out } => write!(f, "{added} of the rigs were added; for {left_out} there was no room."),
+            Self::RigRemoved(name) => write!(f, "“{name}” was removed."),
+            Self::RigsNotSaved { reason } => write!(f, "The rigs cannot be written as text: {reason}."),
             Self::Undone => f.write_str("Undone."),
             Self::NothingToUndo => f.write_str("There is nothing to undo."),
             Self::Redone => f.write_str("Done again."),

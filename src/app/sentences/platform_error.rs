@@ -10,6 +10,12 @@ use std::path::PathBuf;
 pub enum PlatformError {
     /// The user has no folder for what programs keep.
     NoHomeFolder,
+    /// A file that was chosen or dropped cannot be read.
+    FileNotOpened { file: String, reason: String },
+    /// A file that was chosen or dropped is larger than any calibration.
+    FileTooLarge { file: String },
+    /// There is no dialog to choose files in.
+    NoFileDialog { reason: String },
     /// The file of the state exists, but cannot be read.
     FileNotRead { file: PathBuf, reason: String },
     /// The file of the state cannot be written.
@@ -50,6 +56,16 @@ impl Display for PlatformError {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoHomeFolder => f.write_str("There is no home folder to store anything in."),
+            Self::FileNotOpened { file, reason } => write!(f, "“{file}” cannot be read: {}.", reason.trim_end_matches('.')),
+            Self::FileTooLarge { file } => write!(
+                f,
+                "“{file}” is larger than 16 MB, which no calibration is. Open the file that the calibration wrote."
+            ),
+            Self::NoFileDialog { reason } => write!(
+                f,
+                "No files can be chosen here: {} Drop them on the window instead, or paste their text.",
+                reason.trim_end_matches('.').to_owned() + "."
+            ),
             Self::FileNotRead { file, reason } => write!(f, "What was stored in {} cannot be read: {reason}.", file.display()),
             Self::FileNotWritten { file, reason } => write!(f, "What you entered cannot be stored in {}: {reason}.", file.display()),
             Self::FileNotRenamed { file, reason } => write!(f, "{} cannot be renamed: {reason}.", file.display()),
@@ -138,6 +154,9 @@ mod tests {
             PlatformError::NotSaved { .. } => PlatformError::NotSaved { file: "Downloads/top-view.png".into(), reason: system() },
             PlatformError::NoDownload { .. } => PlatformError::NoDownload { reason: browser() },
             PlatformError::NoPicture => PlatformError::NoPicture,
+            PlatformError::FileNotOpened { .. } => PlatformError::FileNotOpened { file: "left.yaml".into(), reason: browser() },
+            PlatformError::FileTooLarge { .. } => PlatformError::FileTooLarge { file: "video.mp4".into() },
+            PlatformError::NoFileDialog { .. } => PlatformError::NoFileDialog { reason: browser() },
             PlatformError::NoPng { .. } => PlatformError::NoPng { reason: "out of memory".into() },
             PlatformError::NotSerialized { .. } => PlatformError::NotSerialized { reason: "key must be a string".into() },
         ];

@@ -365,3 +365,14 @@ pub mod paper {
     /// The same of the ground plane, whose table is longer.
     pub const GROUND_HEIGHT: f32 = 136.0;
 }
+
+/// The dialog with what calibration files say.
+pub const IMPORT_WIDTH: f32 = 720.0;
+/// What of that dialog does not scroll, and what is around it.
+pub const IMPORT_FRAME_HEIGHT: f32 = 190.0;
+/// The columns of its table: what, value, where it stands.
+pub const IMPORT_SHARES: [f32; 3] = [1.0, 1.5, 1.5];
+/// The name of a rig is broken into lines no shorter than this.
+pub const RIG_NAME_WIDTH: f32 = 100.0;
+/// The first column of the rigs side by side, in columns of rigs.
+pub const RIG_HEADER_SHARE: f32 = 1.2;

@@ -92,8 +92,17 @@ pub fn border_ui(ui: &Ui, cells: &Cells, color: Option<Color32>, has_focus: bool
         .rect_stroke(cells.whole, theme::CONTROL_RADIUS, stroke, StrokeKind::Inside);
 }
 
-/// A text in `cell`, aligned at the right, with an id and an example that is shown while it is empty.
-pub fn text_ui(ui: &mut Ui, cell: Rect, text: &mut String, (id, example): (Id, &str)) -> TextEditOutput {
+/// A number in `cell`, aligned at the right, with an id and an example that is shown while it is empty.
+pub fn text_ui(ui: &mut Ui, cell: Rect, text: &mut String, shown: (Id, &str)) -> TextEditOutput {
+    aligned_text_ui(ui, cell, text, shown, Align2::RIGHT_CENTER)
+}
+
+/// The same with words, which begin at the left.
+pub fn words_ui(ui: &mut Ui, cell: Rect, text: &mut String, shown: (Id, &str)) -> TextEditOutput {
+    aligned_text_ui(ui, cell, text, shown, Align2::LEFT_CENTER)
+}
+
+fn aligned_text_ui(ui: &mut Ui, cell: Rect, text: &mut String, (id, example): (Id, &str), align: Align2) -> TextEditOutput {
     let palette = theme::palette(ui);
     let mut ui = ui.new_child(UiBuilder::new().id_salt(id).max_rect(cell));
     ui.set_clip_rect(ui.clip_rect().intersect(cell));
@@ -109,7 +118,7 @@ pub fn text_ui(ui: &mut Ui, cell: Rect, text: &mut String, (id, example): (Id, &
             0,
         )))
         .hint_text(RichText::new(example).color(palette.muted))
-        .align(Align2::RIGHT_CENTER)
+        .align(align)
         .desired_width(cell.width())
         .min_size(cell.size())
         .return_key(None)

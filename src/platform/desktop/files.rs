@@ -1,9 +1,10 @@
-//! Files that the program gives out: into the folder for downloads, never over another.
+//! Files that the program gives out, into the folder for downloads, never over another; and files that it is given.
 
-use crate::app::{FileContents, PlatformError};
+use crate::app::{FileContents, OpenedFile, PlatformError};
+use depth_jobs::LARGEST_FILE;
 use std::borrow::Cow;
 use std::fs::{self, File};
-use std::io::{Error, ErrorKind, Write as _};
+use std::io::{Error, ErrorKind, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
 /// Nobody has more files of one name.
@@ -18,6 +19,31 @@ pub fn folder() -> Result<PathBuf, PlatformError> {
     Ok(folders.download_dir().unwrap_or_else(|| folders.home_dir()).to_owned())
 }
 
+/// What these files hold.
+///
+/// # Errors
+/// Why one of them cannot be read: then none is.
+pub fn read(paths: &[PathBuf]) -> Result<Vec<OpenedFile>, PlatformError> {
+    paths.iter().map(|path| read_one(path)).collect()
+}
+
+fn read_one(path: &Path) -> Result<OpenedFile, PlatformError> {
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+    let refused = |error: &Error| PlatformError::FileNotOpened {
+        file: name.clone(),
+        reason: error.to_string(),
+    };
+    let mut bytes = Vec::new();
+    // One byte more tells whether there is more.
+    let most = u64::try_from(LARGEST_FILE).unwrap_or(u64::MAX).saturating_add(1);
+    let file = File::open(path).map_err(|error| refused(&error))?;
+    file.take(most).read_to_end(&mut bytes).map_err(|error| refused(&error))?;
+    if bytes.len() > LARGEST_FILE {
+        return Err(PlatformError::FileTooLarge { file: name });
+    }
+    Ok(OpenedFile { name, bytes })
+}
+
 /// Writes a file with this name into `folder`, or one with a number where that is taken. Returns where it is.
 ///
 /// # Errors
@@ -25,7 +51,7 @@ pub fn folder() -> Result<PathBuf, PlatformError> {
 pub fn save(folder: &Path, name: &str, contents: &FileContents) -> Result<PathBuf, PlatformError> {
     let bytes = match contents {
         FileContents::Picture(picture) => Cow::Owned(png(picture).map_err(|error| PlatformError::NoPng { reason: error.to_string() })?),
-        FileContents::Page(html) => Cow::Borrowed(html.as_bytes()),
+        FileContents::Page(text) | FileContents::Data(text) => Cow::Borrowed(text.as_bytes()),
     };
     let refused = |file: &Path, error: &Error| PlatformError::NotSaved {
         file: file.to_owned(),
@@ -108,6 +134,34 @@ mod tests {
         let info = reader.next_frame(&mut pixels).unwrap();
         assert_eq!((info.width, info.height), (3, 2));
         assert_eq!(pixels.last_chunk(), Some(&[1, 2, 3]));
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn files_are_read_whole_or_named() {
+        let folder = empty_folder("open");
+        fs::create_dir_all(&folder).unwrap();
+        let [good, large] = ["calib.txt", "video.mp4"].map(|name| folder.join(name));
+        fs::write(&good, "doffs=0").unwrap();
+        File::create(&large)
+            .unwrap()
+            .set_len(u64::try_from(LARGEST_FILE).unwrap() + 1)
+            .unwrap();
+        let opened = read(std::slice::from_ref(&good)).unwrap();
+        assert_eq!(
+            opened,
+            [OpenedFile {
+                name: "calib.txt".into(),
+                bytes: b"doffs=0".to_vec()
+            }]
+        );
+        assert_eq!(
+            read(&[good.clone(), large]).unwrap_err(),
+            PlatformError::FileTooLarge { file: "video.mp4".into() }
+        );
+        for gone in [folder.join("gone.yaml"), folder.clone()] {
+            assert!(matches!(read(&[good.clone(), gone]), Err(PlatformError::FileNotOpened { .. })));
+        }
         fs::remove_dir_all(folder).unwrap();
     }
 

@@ -8,13 +8,17 @@ mod files;
 mod placement;
 mod sentences;
 mod state;
+mod thread;
 
 use crate::app::{App, Event, FileContents, Licenses, Place, Platform, PlatformError};
+use depth_jobs::{Attachment, Job, Run};
+use egui::DroppedFileHandle;
 use placement::{Kept, PlacedApp};
 use state::State;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, Receiver, Sender};
 use std::time::Instant;
 
 const NAME: &str = "Depth Calculator";
@@ -81,6 +85,9 @@ fn icon() -> Option<egui::IconData> {
 struct Desktop {
     state: State,
     events: Vec<Event>,
+    /// What comes from threads.
+    inbox: (Sender<Event>, Receiver<Event>),
+    worker: thread::Worker,
     started: Instant,
 }
 
@@ -89,6 +96,8 @@ impl Desktop {
         Self {
             state,
             events: Vec::new(),
+            inbox: mpsc::channel(),
+            worker: thread::Worker::default(),
             started: Instant::now(),
         }
     }
@@ -119,6 +128,37 @@ impl Platform for Desktop {
         ctx.request_repaint();
     }
 
+    fn open_files(&mut self, ctx: &egui::Context) {
+        let (events, ctx) = (self.inbox.0.clone(), ctx.clone());
+        let choose = move || {
+            let chosen = rfd::FileDialog::new().set_title("Calibration files").pick_files();
+            if let Some(paths) = chosen {
+                events.send(Event::Opened(files::read(&paths))).ok();
+                ctx.request_repaint();
+            }
+        };
+        // The dialog holds up whoever opens it; only a Mac wants that to be the window.
+        if cfg!(target_os = "macos") {
+            choose();
+        } else {
+            std::thread::spawn(choose);
+        }
+    }
+
+    fn read_dropped(&mut self, ctx: &egui::Context, dropped: Vec<DroppedFileHandle>) {
+        let paths: Vec<_> = dropped.iter().map(|file| file.path().to_owned()).collect();
+        self.events.push(Event::Opened(files::read(&paths)));
+        ctx.request_repaint();
+    }
+
+    fn start(&mut self, ctx: &egui::Context, run: Run, job: Job, attachments: Vec<Attachment>) {
+        self.worker.start(ctx, &self.inbox.0, (run, job, attachments));
+    }
+
+    fn cancel(&mut self, _ctx: &egui::Context, run: Run) {
+        self.worker.cancel(run);
+    }
+
     fn print(&mut self) -> bool {
         // A window has no paper of its own: what it saves, a browser prints.
         false
@@ -133,7 +173,9 @@ impl Platform for Desktop {
     }
 
     fn events(&mut self) -> Vec<Event> {
-        std::mem::take(&mut self.events)
+        let mut events = std::mem::take(&mut self.events);
+        events.extend(self.inbox.1.try_iter());
+        events
     }
 
     fn seconds(&self) -> f64 {

@@ -5,6 +5,8 @@
 //! that tab's.
 
 use super::inbox::{Inbox, sentence};
+use super::worker::Worker;
+use depth_jobs::{Attachment, Job, Run};
 use wasm_bindgen::JsValue;
 
 use crate::app::{Event, FileContents, Licenses, Place, Platform, PlatformError};
@@ -15,14 +17,19 @@ const STORAGE_KEY: &str = "depth-calculator/v1";
 /// Stores in the browser and copies to the clipboard.
 pub(super) struct Browser {
     inbox: Inbox,
+    worker: Worker,
     /// Whether a screen has been shown since the page was loaded.
     has_screen: bool,
 }
 
 impl Browser {
     /// The browser, whose events are read from `inbox`.
-    pub(super) const fn new(inbox: Inbox) -> Self {
-        Self { inbox, has_screen: false }
+    pub(super) fn new(inbox: Inbox) -> Self {
+        Self {
+            worker: Worker::new(&inbox),
+            inbox,
+            has_screen: false,
+        }
     }
 }
 
@@ -102,6 +109,18 @@ impl Platform for Browser {
 
     fn save_file(&mut self, _ctx: &egui::Context, name: &str, contents: FileContents) {
         super::files::save(&self.inbox, name, contents);
+    }
+
+    fn open_files(&mut self, _ctx: &egui::Context) {
+        super::files::choose(&self.inbox);
+    }
+
+    fn start(&mut self, _ctx: &egui::Context, run: Run, job: Job, attachments: Vec<Attachment>) {
+        self.worker.start(run, job, attachments);
+    }
+
+    fn cancel(&mut self, _ctx: &egui::Context, run: Run) {
+        self.worker.cancel(run);
     }
 
     fn print(&mut self) -> bool {

@@ -11,6 +11,7 @@ mod page;
 mod printing;
 mod rest;
 mod touch;
+mod worker;
 
 use std::rc::Rc;
 

@@ -1,0 +1,208 @@
+//! What was found, and what the person says that the files do not.
+
+use crate::app::rigs::Rig;
+use crate::core::quantity::LengthUnit;
+use depth_jobs::{Baseline, Calibration, Camera, Guess};
+use depth_text::entry::Entry;
+use depth_text::fields;
+use depth_text::reading;
+
+/// A calibration as it is shown.
+#[derive(Debug)]
+pub struct Shown {
+    /// What the files say.
+    pub found: Calibration,
+    /// The place of the camera whose focal length counts.
+    pub camera: usize,
+    /// The unit of the baseline, by its place among [`Self::units`], where the files do not say it and the person has.
+    pub unit: Option<usize>,
+    /// The size of a square of the board.
+    pub square: Entry,
+}
+
+/// In what a baseline may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileUnit {
+    /// In this unit.
+    Length(LengthUnit),
+    /// In squares of the board, whose size is typed beside it.
+    Squares,
+}
+
+impl FileUnit {
+    /// How it is offered, for a baseline of `value`.
+    pub fn offer(self, value: &str) -> String {
+        match self {
+            Self::Length(unit) => format!("{value} {}", unit.symbol()),
+            Self::Squares => format!("{value} squares of the board"),
+        }
+    }
+}
+
+impl Shown {
+    /// `found` with nothing said yet.
+    pub fn new(found: Calibration) -> Self {
+        let square = match found.baseline {
+            Some(Baseline::InFileUnits {
+                guess: Guess::Squares { size },
+                ..
+            }) => crate::app::rigs::number(size),
+            _ => String::new(),
+        };
+        Self {
+            camera: found.pair.map_or(0, |[first, _]| first),
+            unit: None,
+            square: Entry::new(square, fields::SQUARE_SIZE.kind.length_unit()),
+            found,
+        }
+    }
+
+    /// The camera whose focal length counts.
+    pub fn camera(&self) -> Option<&Camera> {
+        self.found.cameras.get(self.camera)
+    }
+
+    /// The baseline, where the camera that counts is one of its pair.
+    pub fn baseline(&self) -> Option<Baseline> {
+        let is_of_pair = self.found.pair.is_some_and(|pair| pair.contains(&self.camera));
+        self.found.baseline.filter(|_| is_of_pair)
+    }
+
+    /// The number of a baseline whose unit has to be asked for.
+    pub fn asks_unit_of(&self) -> Option<f64> {
+        match self.baseline() {
+            Some(Baseline::InFileUnits { value, .. }) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// The units that are offered, the plausible one first.
+    pub fn units(&self) -> Vec<FileUnit> {
+        let first = match self.found.baseline {
+            Some(Baseline::InFileUnits {
+                guess: Guess::Unit(unit), ..
+            }) => FileUnit::Length(unit),
+            _ => FileUnit::Squares,
+        };
+        let lengths = [LengthUnit::Millimeter, LengthUnit::Centimeter, LengthUnit::Meter, LengthUnit::Inch];
+        let all = lengths.map(FileUnit::Length).into_iter().chain([FileUnit::Squares]);
+        std::iter::once(first).chain(all.filter(|unit| *unit != first)).collect()
+    }
+
+    /// The unit that was chosen.
+    pub fn chosen_unit(&self) -> Option<FileUnit> {
+        self.unit.and_then(|at| self.units().get(at).copied())
+    }
+
+    /// The unit as it is typed behind the number; `None` where it is not known yet.
+    fn unit_text(&self) -> Option<String> {
+        match self.chosen_unit()? {
+            FileUnit::Length(unit) => Some(unit.symbol().to_owned()),
+            FileUnit::Squares => {
+                let size = reading::read(fields::SQUARE_SIZE, &self.square).ok()??;
+                Some(format!("squares of {} {}", size.number_text, size.unit?.symbol()))
+            }
+        }
+    }
+
+    /// The rig that comes of it, which files with these `names` say; `None` where the unit of its baseline is still to be said.
+    pub fn rig(&self, names: &[String]) -> Option<Rig> {
+        self.camera()?;
+        let unit = self.unit_text();
+        if self.asks_unit_of().is_some() && unit.is_none() {
+            return None;
+        }
+        Some(Rig::of_calibration(&self.found, self.camera, names, unit.as_deref()))
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::{FileUnit, Shown};
+    use crate::core::quantity::LengthUnit;
+    use depth_jobs::{Baseline, Calibration, Camera, Guess};
+    use depth_text::fields;
+    use depth_text::reading;
+
+    fn found(baseline: Baseline) -> Calibration {
+        let camera = |name: &str| Camera {
+            name: name.to_owned(),
+            size: Some([640, 480]),
+            intrinsics_px: [700.0, 701.0, 320.0, 240.0],
+            sigma_px: Some([2.0, 2.0, 1.0, 1.0]),
+            is_rectified: true,
+            model: None,
+            distortion: vec![-0.25, 0.5],
+            origin: String::new(),
+        };
+        Calibration {
+            format: "OpenCV FileStorage".into(),
+            cameras: vec![camera("left"), camera("right"), camera("color")],
+            pair: Some([0, 1]),
+            is_vertical: false,
+            baseline: Some(baseline),
+            baseline_origin: String::new(),
+            doffs_px: Some(3.0),
+            doffs_origin: String::new(),
+            warnings: Vec::new(),
+            ignored: Vec::new(),
+        }
+    }
+
+    fn meters(shown: &Shown) -> Option<f64> {
+        let rig = shown.rig(&["calib.yml".to_owned()])?;
+        Some(reading::read(fields::BASELINE, rig.inputs.entry(fields::BASELINE)).unwrap()?.value)
+    }
+
+    #[test]
+    fn nothing_comes_of_a_baseline_before_its_unit_is_said() {
+        let guess = Guess::Unit(LengthUnit::Millimeter);
+        let mut shown = Shown::new(found(Baseline::InFileUnits { value: 120.0, guess }));
+        assert_eq!(shown.rig(&[]), None);
+        assert_eq!(shown.units().first(), Some(&FileUnit::Length(LengthUnit::Millimeter)));
+        shown.unit = Some(0);
+        assert!((meters(&shown).unwrap() - 0.12).abs() < 1e-12);
+    }
+
+    #[test]
+    fn squares_are_of_the_size_that_stands_beside_them() {
+        let guess = Guess::Squares { size: 25.0 };
+        let mut shown = Shown::new(found(Baseline::InFileUnits { value: 3.2, guess }));
+        assert_eq!(shown.units().first(), Some(&FileUnit::Squares));
+        shown.unit = Some(0);
+        assert!((meters(&shown).unwrap() - 0.08).abs() < 1e-12);
+        shown.square.text.clear();
+        assert_eq!(shown.rig(&[]), None, "the size is asked for");
+    }
+
+    #[test]
+    fn a_baseline_belongs_to_its_pair_and_the_numbers_to_the_camera_that_counts() {
+        let mut shown = Shown::new(found(Baseline::Meters(0.083_206_4)));
+        assert!((meters(&shown).unwrap() - 0.083_206_4).abs() < 1e-12);
+        let rig = shown.rig(&["calib.yml".to_owned()]).unwrap();
+        assert_eq!(rig.name, "calib");
+        assert_eq!(rig.inputs.entry(fields::FOCAL_LENGTH).sigma, "2");
+        assert_eq!(rig.inputs.entry(fields::DOFFS).text, "3");
+        assert_eq!(rig.inputs.entry(fields::FRAME_WIDTH).text, "640");
+        assert_eq!(rig.distortion, "-0.25, 0.5");
+        shown.camera = 2;
+        assert_eq!(meters(&shown), None);
+    }
+
+    #[test]
+    fn what_is_used_takes_the_place_of_what_another_rig_left() {
+        use depth_text::entry::Entry;
+        use depth_text::form::Example;
+        let shown = Shown::new(found(Baseline::Meters(0.12)));
+        let mut before = Example::CoffeeMug.inputs();
+        *before.entry_mut(fields::DOFFS) = Entry::new("131.1", None);
+        *before.entry_mut(fields::ZERO) = Entry::new("4.2", None);
+        let now = shown.rig(&[]).unwrap().used_in(&before);
+        assert_eq!(now.entry(fields::FOCAL_LENGTH).text, "700");
+        assert_eq!(now.entry(fields::BASELINE).text, "120");
+        assert_eq!(now.entry(fields::DOFFS).text, "3");
+        assert!(now.entry(fields::ZERO).is_blank());
+        assert_eq!(now.entry(fields::DISPARITY), before.entry(fields::DISPARITY));
+    }
+}

@@ -1,0 +1,360 @@
+//! The dialog that opens calibration files.
+
+use super::found::{FileUnit, Shown};
+use super::{Import, State};
+use crate::app::command::Command;
+use crate::app::context::AppContext;
+use crate::app::dialog::{DialogFrame, close_button_ui};
+use crate::app::rigs::{MOST, Rig, number};
+use crate::app::theme;
+use crate::app::widgets::field::{self, Field};
+use crate::app::widgets::menu::List;
+use crate::app::widgets::table::{self, Cell};
+use crate::app::widgets::{scroll, text};
+use depth_text::field::Key;
+use depth_text::fields;
+use depth_text::note::Severity;
+use depth_text::reading;
+use egui::accesskit::Role;
+use egui::text::LayoutJob;
+use egui::{Button, Id, RichText, Stroke, TextEdit, Ui, vec2};
+
+const TITLE: &str = "Calibration files";
+const LEAD: &str = "What a calibration wrote: of OpenCV, ROS, Kalibr, KITTI, Middlebury, EuRoC, COLMAP, ORB-SLAM, ZED, RealSense and others. They are \
+                    recognized by what is in them, whatever they are called, and stay on this computer.";
+
+/// Draws it over the screen.
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, import: &mut Import) {
+    let frame = DialogFrame {
+        id: "import",
+        title: TITLE,
+        max_width: theme::IMPORT_WIDTH,
+    };
+    let close = Command::CloseImport;
+    let response = frame.ui(ui, |ui| {
+        ui.spacing_mut().interact_size.y = cx.layout.control_height();
+        ui.add_space(theme::STEP);
+        let height = ui.ctx().content_rect().height() - theme::IMPORT_FRAME_HEIGHT;
+        let names = import.names();
+        scroll::up_to_ui(ui, height, |ui| match &mut import.state {
+            State::Asking => asking_ui(ui, cx, &mut import.text),
+            State::Reading(_) => reading_ui(ui, &names),
+            State::Failed(why) => failed_ui(ui, cx, &names, why),
+            State::Found(shown) => found_ui(ui, cx, &names, shown),
+        });
+        ui.add_space(2.0 * theme::STEP);
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = vec2(2.0 * theme::STEP, 2.0 * theme::STEP);
+            if matches!(import.state, State::Found(_)) {
+                take_ui(ui, cx, import.rig());
+            }
+            close_button_ui(ui, "Cancel", cx.layout)
+        })
+        .inner
+    });
+    if response.inner || response.should_close() {
+        cx.commands.push(close);
+    }
+}
+
+fn button_ui(ui: &mut Ui, cx: &mut AppContext<'_>, command: Command) {
+    let button = Button::new(command.text()).min_size(vec2(0.0, cx.layout.control_height()));
+    if ui.add(button).clicked() {
+        cx.commands.push(command);
+    }
+}
+
+fn asking_ui(ui: &mut Ui, cx: &mut AppContext<'_>, typed: &mut String) {
+    text::paragraph_ui(ui, LEAD);
+    ui.add_space(theme::STEP);
+    button_ui(ui, cx, Command::OpenFiles);
+    text::caption_ui(ui, "Or drop them anywhere on this window.");
+    ui.add_space(2.0 * theme::STEP);
+    let palette = theme::palette(ui);
+    let label = ui.label(
+        RichText::new("Or paste the text of one")
+            .font(theme::strong(theme::BODY_SIZE))
+            .color(palette.text),
+    );
+    ui.add(
+        TextEdit::multiline(typed)
+            .id(Id::unique("text of a calibration file"))
+            .desired_rows(4)
+            .desired_width(ui.available_width())
+            .hint_text(RichText::new("%YAML:1.0\n---\nM1: !!opencv-matrix …").color(palette.muted)),
+    )
+    .labelled_by(label.id);
+    ui.add_space(theme::STEP);
+    let read = Command::ReadText(typed.clone());
+    let button = Button::new(read.text()).min_size(vec2(0.0, cx.layout.control_height()));
+    if ui.add_enabled(!typed.trim().is_empty(), button).clicked() {
+        cx.commands.push(read);
+    }
+}
+
+fn reading_ui(ui: &mut Ui, names: &[String]) {
+    let said = ui.label(format!("Reading {}…", names.join(", ")));
+    text::announce(ui, &said);
+}
+
+fn failed_ui(ui: &mut Ui, cx: &mut AppContext<'_>, names: &[String], why: &str) {
+    let palette = theme::palette(ui);
+    if !names.is_empty() {
+        ui.label(
+            RichText::new(names.join(", "))
+                .font(theme::strong(theme::BODY_SIZE))
+                .color(palette.text),
+        );
+    }
+    let said = ui.label(RichText::new(text::note(why)).color(text::note_color(ui, Severity::Error)));
+    text::announce(ui, &said);
+    ui.add_space(theme::STEP);
+    text::caption_ui(ui, "Nothing was changed.");
+    ui.add_space(theme::STEP);
+    ui.horizontal_wrapped(|ui| {
+        button_ui(ui, cx, Command::OpenFiles);
+        button_ui(ui, cx, Command::ShowImport);
+    });
+}
+
+fn found_ui(ui: &mut Ui, cx: &mut AppContext<'_>, names: &[String], shown: &mut Shown) {
+    let palette = theme::palette(ui);
+    let said = ui.label(
+        RichText::new(format!("{}: {}", names.join(", "), shown.found.format))
+            .font(theme::strong(theme::BODY_SIZE))
+            .color(palette.text),
+    );
+    text::announce(ui, &said);
+    for warning in &shown.found.warnings {
+        let color = text::note_color(ui, Severity::Warning);
+        let said = ui.label(RichText::new(text::note(warning)).size(theme::SMALL_SIZE).color(color));
+        text::announce(ui, &said);
+    }
+    ui.add_space(theme::STEP);
+    cameras_ui(ui, shown);
+    numbers_ui(ui, shown);
+    unit_ui(ui, cx, shown);
+    changes_ui(ui, cx, shown.rig(names));
+    ui.horizontal_wrapped(|ui| button_ui(ui, cx, Command::AddFiles));
+    if !shown.found.ignored.is_empty() {
+        ui.add_space(theme::STEP);
+        text::caption_ui(ui, format!("Not read: {}", shown.found.ignored.join("; ")));
+    }
+}
+
+/// The choice among several cameras.
+fn cameras_ui(ui: &mut Ui, shown: &mut Shown) {
+    if shown.found.cameras.len() < 2 {
+        return;
+    }
+    let name = |at: usize, camera: &depth_jobs::Camera| {
+        let place = match (shown.found.pair, shown.found.is_vertical) {
+            (Some([first, _]), false) if first == at => " (left)",
+            (Some([_, second]), false) if second == at => " (right)",
+            (Some([first, _]), true) if first == at => " (upper)",
+            (Some([_, second]), true) if second == at => " (lower)",
+            (Some(_), _) => " (not of the pair)",
+            (None, _) => "",
+        };
+        let size = camera
+            .size
+            .map_or_else(String::new, |[width, height]| format!(", {width} × {height} px"));
+        format!("{}{place}{size}", camera.name)
+    };
+    let names: Vec<String> = shown
+        .found
+        .cameras
+        .iter()
+        .enumerate()
+        .map(|(at, camera)| name(at, camera))
+        .collect();
+    let list = List {
+        name: "Camera",
+        shown: names.get(shown.camera).map_or("", String::as_str),
+        width: ui.available_width(),
+        names: &names,
+        chosen: Some(shown.camera),
+    };
+    let (_, now) = list.ui(ui, "camera of the file");
+    shown.camera = now.unwrap_or(shown.camera);
+    ui.add_space(theme::STEP);
+}
+
+/// What the files say: each number with where it stands.
+fn numbers_ui(ui: &mut Ui, shown: &Shown) {
+    let Some(camera) = shown.camera() else { return };
+    let mut rows: Vec<(&str, String, &str)> = Vec::new();
+    if let Some([width, height]) = camera.size {
+        rows.push(("Images", format!("{width} × {height} px"), camera.origin.as_str()));
+    }
+    let of = if camera.is_rectified {
+        "of rectified images"
+    } else {
+        "of raw images"
+    };
+    let [fx, fy, cx, cy] = camera.intrinsics_px.map(number);
+    let sigma = camera
+        .sigma_px
+        .map(|sigma| sigma.map(|one| format!(" ± {}", number(one))))
+        .unwrap_or_default();
+    rows.push((
+        "Focal length fx, fy",
+        format!("{fx}{}, {fy}{} px, {of}", sigma[0], sigma[1]),
+        camera.origin.as_str(),
+    ));
+    rows.push((
+        "Principal point cx, cy",
+        format!("{cx}{}, {cy}{} px", sigma[2], sigma[3]),
+        camera.origin.as_str(),
+    ));
+    if !camera.distortion.is_empty() || camera.model.is_some() {
+        let numbers: Vec<String> = camera.distortion.iter().map(|one| number(*one)).collect();
+        rows.push((
+            "Distortion",
+            [camera.model.clone().unwrap_or_default(), numbers.join(", ")]
+                .join(" ")
+                .trim()
+                .to_owned(),
+            "",
+        ));
+    }
+    match shown.baseline() {
+        Some(depth_jobs::Baseline::Meters(m)) => rows.push((
+            "Baseline",
+            format!("{} mm", number(m * 1000.0)),
+            shown.found.baseline_origin.as_str(),
+        )),
+        Some(depth_jobs::Baseline::InFileUnits { value, .. }) => {
+            rows.push((
+                "Baseline",
+                format!("{}, in a unit that the file does not say", number(value)),
+                shown.found.baseline_origin.as_str(),
+            ));
+        }
+        None => rows.push(("Baseline", "none".to_owned(), "")),
+    }
+    if let Some(doffs) = shown.found.doffs_px.filter(|_| shown.baseline().is_some()) {
+        rows.push(("doffs", format!("{} px", number(doffs)), shown.found.doffs_origin.as_str()));
+    }
+    rows_ui(ui, "What the file says", ["", "Value", "Where it stands"], &rows);
+}
+
+fn rows_ui(ui: &mut Ui, name: &str, headers: [&str; 3], rows: &[(&str, String, &str)]) {
+    let palette = theme::palette(ui);
+    let shares = theme::IMPORT_SHARES;
+    let cell = |words: &str, role: Role| {
+        let (font, color) = match role {
+            Role::Cell => (theme::regular(theme::SMALL_SIZE), palette.text),
+            _ => (theme::strong(theme::SMALL_SIZE), palette.muted),
+        };
+        Cell {
+            text: LayoutJob::simple(words.to_owned(), font, color, 0.0),
+            role,
+            align_right: false,
+        }
+    };
+    table::table_ui(ui, name, |ui| {
+        table::row_ui(ui, headers.iter().map(|words| cell(words, Role::ColumnHeader)).collect(), &shares);
+        for (name, value, origin) in rows {
+            let cells = vec![cell(name, Role::RowHeader), cell(value, Role::Cell), cell(origin, Role::Cell)];
+            table::row_ui(ui, cells, &shares);
+        }
+    });
+    ui.add_space(theme::STEP);
+}
+
+/// Asks for the unit of the baseline, where the file does not say it.
+fn unit_ui(ui: &mut Ui, cx: &mut AppContext<'_>, shown: &mut Shown) {
+    let Some(value) = shown.asks_unit_of() else { return };
+    let value = number(value);
+    let names: Vec<String> = shown.units().into_iter().map(|unit| unit.offer(&value)).collect();
+    text::caption_ui(
+        ui,
+        "The baseline has the unit in which the squares of the board were measured, which the file does not say. Which is it?",
+    );
+    let list = List {
+        name: "The baseline is",
+        shown: shown.unit.and_then(|at| names.get(at)).map_or("Choose the unit…", String::as_str),
+        width: ui.available_width(),
+        names: &names,
+        chosen: shown.unit,
+    };
+    let (_, now) = list.ui(ui, "unit of the file");
+    shown.unit = now.or(shown.unit);
+    ui.add_space(theme::STEP);
+    if shown.chosen_unit() == Some(FileUnit::Squares) {
+        let key = fields::SQUARE_SIZE;
+        let read = reading::read(key, &shown.square);
+        Field {
+            key,
+            reading: read.as_ref().ok().and_then(Option::as_ref),
+            notes: read.as_ref().err().into_iter().collect(),
+            entry: &mut shown.square,
+            with_sigma: false,
+            helper: None,
+            id: field::id(key),
+            submits: false,
+        }
+        .ui(ui, cx.commands);
+    }
+}
+
+/// What would become of the fields of the calculator.
+fn changes_ui(ui: &mut Ui, cx: &AppContext<'_>, rig: Option<Rig>) {
+    let Some(rig) = rig else { return };
+    let before = &cx.session.inputs;
+    let after = rig.used_in(before);
+    let written = |key: Key, inputs: &depth_text::form::Inputs| {
+        let entry = inputs.entry(key);
+        let unit = entry
+            .unit
+            .map_or_else(|| key.unit_symbol().to_owned(), |unit| unit.symbol().to_owned());
+        if entry.is_blank() {
+            "nothing".to_owned()
+        } else {
+            format!("{} {unit}", entry.text).trim_end().to_owned()
+        }
+    };
+    let keys = Rig::KEYS.into_iter().filter(|key| key.section.is_some());
+    let changes: Vec<String> = keys
+        .filter(|key| before.entry(*key) != after.entry(*key))
+        .map(|key| format!("{}: {} → {}", key.symbol, written(key, before), written(key, &after)))
+        .collect();
+    let words = if changes.is_empty() {
+        "In the calculator nothing would change.".to_owned()
+    } else {
+        format!("In the calculator would change: {}.", changes.join("; "))
+    };
+    text::caption_ui(ui, words);
+    ui.add_space(theme::STEP);
+}
+
+/// The buttons that take what was found.
+fn take_ui(ui: &mut Ui, cx: &mut AppContext<'_>, rig: Option<Rig>) {
+    let palette = theme::palette(ui);
+    let has_room = cx.settings.rigs.has_room();
+    let is_known = rig.is_some();
+    let rig = rig.unwrap_or_default();
+    let use_it = Command::UseCalibration(Box::new(rig.clone()));
+    let blue = Button::new(
+        RichText::new(use_it.text())
+            .font(theme::strong(theme::BODY_SIZE))
+            .color(palette.on_blue),
+    )
+    .fill(palette.blue)
+    .stroke(Stroke::NONE);
+    if ui
+        .add_enabled(is_known, blue.min_size(vec2(0.0, cx.layout.control_height())))
+        .clicked()
+    {
+        cx.commands.push(use_it);
+    }
+    let keep = Command::AddRig(Box::new(rig));
+    let button = Button::new("Add to rigs").min_size(vec2(0.0, cx.layout.control_height()));
+    if ui.add_enabled(is_known && has_room, button).clicked() {
+        cx.commands.push(keep);
+    }
+    if !has_room {
+        text::caption_ui(ui, format!("There are {MOST} rigs already: it can be used, but not kept."));
+    }
+}

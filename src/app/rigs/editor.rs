@@ -1,0 +1,150 @@
+//! The editor of one rig.
+
+use super::list::letter;
+use super::rig::{Basis, Rig};
+use crate::app::command::Command;
+use crate::app::context::AppContext;
+use crate::app::theme;
+use crate::app::widgets::field::Field;
+use crate::app::widgets::joined::{self, Cells};
+use crate::app::widgets::{choice, text};
+use crate::core::setup::Pair;
+use depth_text::assess::Assessment;
+use depth_text::field::Key;
+use depth_text::fields;
+use depth_text::reading;
+use egui::{Button, Id, RichText, Sense, Stroke, Ui, UiBuilder, vec2};
+
+/// The fields that stand side by side, and under which heading.
+const GROUPS: [(&str, &[Key]); 3] = [
+    ("Image", &[fields::FRAME_WIDTH, fields::FRAME_HEIGHT]),
+    ("Camera", &[fields::FOCAL_LENGTH, fields::FY, fields::CX, fields::CY]),
+    ("Pair", &[fields::BASELINE, fields::DOFFS, fields::ZERO]),
+];
+
+/// Draws the editor of the rig that is shown.
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, assessment: Option<&Assessment>) {
+    let at = cx.settings.rigs.shown;
+    let mut commands = Vec::new();
+    let height = cx.layout.control_height();
+    let Some(rig) = cx.settings.rigs.shown_mut() else { return };
+    let title = format!("Rig {}", letter(at));
+    let palette = theme::palette(ui);
+    text::heading_ui(ui, &title, 2, theme::strong(theme::CARD_HEADING_SIZE), palette.text);
+    ui.add_space(theme::STEP);
+    ui.scope_builder(UiBuilder::new().scope_id(Id::unique(("editor of a rig", at))), |ui| {
+        text_field_ui(ui, (at, "Name"), &mut rig.name, "Robot, front");
+        for (heading, keys) in GROUPS {
+            ui.add_space(theme::STEP);
+            group_heading_ui(ui, heading, rig);
+            for pair in keys.chunks(2) {
+                pair_ui(ui, (at, pair), rig, assessment, &mut commands);
+            }
+        }
+        text_field_ui(ui, (at, "Distortion"), &mut rig.distortion, "plumb bob: −0.28, 0.07, 0, 0");
+        text_field_ui(ui, (at, "Source"), &mut rig.source, "Calibration of November");
+    });
+    ui.add_space(2.0 * theme::STEP);
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(2.0 * theme::STEP, 2.0 * theme::STEP);
+        let use_it = Command::UseRig(at);
+        let blue = Button::new(
+            RichText::new(use_it.text())
+                .font(theme::strong(theme::BODY_SIZE))
+                .color(palette.on_blue),
+        )
+        .fill(palette.blue)
+        .stroke(Stroke::NONE);
+        if ui.add_enabled(!rig.is_blank(), blue.min_size(vec2(0.0, height))).clicked() {
+            commands.push(use_it);
+        }
+        let remove = Command::RemoveRig(at);
+        if ui.add(Button::new(remove.text()).min_size(vec2(0.0, height))).clicked() {
+            commands.push(remove);
+        }
+    });
+    for command in commands {
+        match command {
+            // What a note offers is of the rig.
+            Command::Fix(key, entry) => super::fix(&mut cx.settings.rigs, key, entry),
+            Command::Calculate | Command::Settle => {}
+            other => cx.commands.push(other),
+        }
+    }
+}
+
+/// A heading, with the choice that belongs to its fields at the end of its line.
+fn group_heading_ui(ui: &mut Ui, heading: &str, rig: &mut Rig) {
+    let height = ui.spacing().interact_size.y.max(theme::CHOICE_HEIGHT);
+    let (line, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
+    let layout = egui::Layout::left_to_right(egui::Align::Center);
+    let mut left = ui.new_child(UiBuilder::new().id_salt(heading).max_rect(line).layout(layout));
+    let color = theme::palette(ui).muted;
+    text::heading_ui(&mut left, heading, 3, theme::strong(theme::SMALL_SIZE), color);
+    match heading {
+        "Camera" => _ = choice::ui(ui, line, "Images", &Basis::ALL, &mut rig.basis),
+        "Pair" => _ = choice::ui(ui, line, "Cameras", &Pair::ALL, &mut rig.inputs.pair),
+        _ => {}
+    }
+}
+
+fn pair_ui(ui: &mut Ui, (at, pair): (usize, &[Key]), rig: &mut Rig, assessment: Option<&Assessment>, commands: &mut Vec<Command>) {
+    let gap = 2.0 * theme::STEP;
+    let columns = if ui.available_width() >= theme::PAIR_WIDTH { 2 } else { 1 };
+    let width = if columns == 2 {
+        ((ui.available_width() - gap) / 2.0).floor()
+    } else {
+        ui.available_width()
+    };
+    for row in pair.chunks(columns) {
+        ui.horizontal_top(|ui| {
+            ui.spacing_mut().item_spacing.x = gap;
+            for &key in row {
+                let layout = egui::Layout::top_down(egui::Align::Min);
+                ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {
+                    ui.set_width(width);
+                    field_ui(ui, (at, key), rig, assessment, commands);
+                });
+            }
+        });
+        ui.add_space(theme::FIELD_GAP);
+    }
+}
+
+fn field_ui(ui: &mut Ui, (at, key): (usize, Key), rig: &mut Rig, assessment: Option<&Assessment>, commands: &mut Vec<Command>) {
+    // What is of the calculator too, the assessment has read.
+    let own = reading::read(key, rig.inputs.entry(key));
+    let is_of_form = key.section.is_some();
+    let assessment = assessment.filter(|_| is_of_form);
+    let notes = assessment
+        .into_iter()
+        .flat_map(|all| all.note(key).into_iter().chain(all.sigma_note(key)));
+    let own_note = own.as_ref().err().filter(|_| !is_of_form);
+    let field = Field {
+        key: rig.inputs.worded(key),
+        reading: own.as_ref().ok().and_then(Option::as_ref),
+        notes: notes.chain(own_note).collect(),
+        with_sigma: true,
+        helper: None,
+        id: Id::unique(("field of a rig", at, key.as_str())),
+        submits: false,
+        entry: rig.inputs.entry_mut(key),
+    };
+    field.ui(ui, commands);
+}
+
+/// A field for a text that is no number.
+fn text_field_ui(ui: &mut Ui, (at, name): (usize, &str), typed: &mut String, example: &str) {
+    let palette = theme::palette(ui);
+    let label = ui.label(RichText::new(name).font(theme::strong(theme::BODY_SIZE)).color(palette.text));
+    ui.add_space(theme::LABEL_GAP);
+    let height = crate::app::widgets::field::height(ui);
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
+    let cells = Cells::of(rect, false, false);
+    joined::ground_ui(ui, &cells, false);
+    let id = Id::unique(("text of a rig", at, name));
+    let output = joined::words_ui(ui, cells.value, typed, (id, example));
+    let response = output.response.response.labelled_by(label.id);
+    joined::border_ui(ui, &cells, None, response.has_focus());
+    ui.add_space(2.0 * theme::STEP);
+}

@@ -1,0 +1,186 @@
+//! A rig: a camera or a pair of cameras, with what is known of it. What calibration files, the calculator and the list of rigs hand to
+//! each other.
+
+use crate::core::quantity::LengthUnit;
+use crate::core::setup::Pair;
+use depth_jobs::{Baseline, Calibration, Camera};
+use depth_text::entry::Entry;
+use depth_text::field::Key;
+use depth_text::fields;
+use depth_text::form::Inputs;
+use depth_text::names::Named;
+use depth_text::number::{Notation, TYPED_DIGITS};
+use serde::{Deserialize, Serialize};
+
+/// Nobody compares more.
+pub const MOST: usize = 6;
+
+/// Of which images a focal length is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Basis {
+    /// Without distortion, with the same rows in both.
+    #[default]
+    Rectified,
+    /// As they come from the camera.
+    Raw,
+}
+
+impl Basis {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Rectified, Self::Raw];
+}
+
+impl Named for Basis {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Rectified => "Rectified",
+            Self::Raw => "Raw",
+        }
+    }
+}
+
+/// A camera or a pair of cameras.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Rig {
+    /// What the person calls it.
+    pub name: String,
+    /// Where the numbers are from: a file, a data sheet.
+    pub source: String,
+    /// Of which images they are.
+    pub basis: Basis,
+    /// The model of the lens and its coefficients, as the file lists them.
+    pub distortion: String,
+    /// The fields of the rig, under the keys that they have in the calculator.
+    pub inputs: Inputs,
+}
+
+impl Rig {
+    /// The fields of a rig, in their order.
+    pub const KEYS: [Key; 9] = [
+        fields::FRAME_WIDTH,
+        fields::FRAME_HEIGHT,
+        fields::FOCAL_LENGTH,
+        fields::FY,
+        fields::CX,
+        fields::CY,
+        fields::BASELINE,
+        fields::DOFFS,
+        fields::ZERO,
+    ];
+    /// Those of them that the calculator has.
+    const SHARED: [Key; 7] = [
+        fields::FOCAL_LENGTH,
+        fields::FY,
+        fields::CX,
+        fields::CY,
+        fields::BASELINE,
+        fields::DOFFS,
+        fields::ZERO,
+    ];
+
+    /// What the camera at `at` of `found` is, which was read from files with these `names`. Its baseline belongs to it where it is one of
+    /// the pair.
+    pub fn of_calibration(found: &Calibration, at: usize, names: &[String], unit: Option<&str>) -> Self {
+        let mut inputs = Inputs::default();
+        let mut rig = Self {
+            source: format!("{} ({})", names.join(", "), found.format),
+            ..Self::default()
+        };
+        let Some(camera) = found.cameras.get(at) else { return rig };
+        rig.basis = if camera.is_rectified { Basis::Rectified } else { Basis::Raw };
+        rig.distortion = distortion(camera);
+        if let Some([width, height]) = camera.size {
+            *inputs.entry_mut(fields::FRAME_WIDTH) = Entry::new(width.to_string(), None);
+            *inputs.entry_mut(fields::FRAME_HEIGHT) = Entry::new(height.to_string(), None);
+        }
+        let keys = [fields::FOCAL_LENGTH, fields::FY, fields::CX, fields::CY];
+        for (place, (key, px)) in keys.into_iter().zip(camera.intrinsics_px).enumerate() {
+            let entry = inputs.entry_mut(key);
+            *entry = Entry::new(number(px), None);
+            let sigma = camera.sigma_px.and_then(|sigma| sigma.get(place).copied());
+            if let Some(sigma) = sigma.filter(|_| key.has_sigma) {
+                entry.sigma = number(sigma);
+            }
+        }
+        let is_of_pair = found.pair.is_some_and(|pair| pair.contains(&at));
+        if let Some(baseline) = found.baseline.filter(|_| is_of_pair) {
+            *inputs.entry_mut(fields::BASELINE) = baseline_entry(baseline, unit);
+            if let Some(doffs) = found.doffs_px.filter(|doffs| *doffs != 0.0) {
+                *inputs.entry_mut(fields::DOFFS) = Entry::new(number(doffs), None);
+            }
+            inputs.pair = if found.is_vertical { Pair::Vertical } else { Pair::Horizontal };
+        }
+        rig.name = first_name(found, names);
+        rig.inputs = inputs;
+        rig
+    }
+
+    /// `before` with what this rig says in place of what it said of another: an empty field of the rig empties that of the calculator,
+    /// but for a baseline, which somebody with one camera may have typed.
+    pub fn used_in(&self, before: &Inputs) -> Inputs {
+        let mut inputs = before.clone();
+        for key in Self::SHARED {
+            let entry = self.inputs.entry(key);
+            if entry.is_blank() && key == fields::BASELINE {
+                continue;
+            }
+            // fy counts for what is measured along the columns; where it is fx it is no news.
+            let is_news = key != fields::FY || entry.text != self.inputs.entry(fields::FOCAL_LENGTH).text || inputs.needs_fy();
+            *inputs.entry_mut(key) = if is_news { entry.clone() } else { Entry::default() };
+        }
+        inputs.edited(fields::FOCAL_LENGTH);
+        if !self.inputs.entry(fields::BASELINE).is_blank() {
+            inputs.pair = self.inputs.pair;
+        }
+        inputs
+    }
+
+    /// Whether nothing was typed into any of its fields.
+    pub fn is_blank(&self) -> bool {
+        self.inputs.entries.is_blank()
+    }
+
+    /// What it is called in the list: its name, or that it has none.
+    pub fn shown_name(&self) -> &str {
+        let name = self.name.trim();
+        if name.is_empty() { "Rig without a name" } else { name }
+    }
+}
+
+/// A number of a file, with as many digits as count.
+pub fn number(number: f64) -> String {
+    Notation::LONG.plain(number, TYPED_DIGITS)
+}
+
+/// A baseline in the unit that is usual for cameras, or in the `unit` that a person says it is in: the symbol of one, or
+/// "squares of 25 mm".
+fn baseline_entry(baseline: Baseline, unit: Option<&str>) -> Entry {
+    match (baseline, unit) {
+        (Baseline::Meters(m), _) => Entry::new(number(m * 1000.0), Some(LengthUnit::Millimeter)),
+        (Baseline::InFileUnits { value, .. }, Some(unit)) => {
+            let mut entry = Entry::new(format!("{} {unit}", number(value)), None);
+            entry.tidy(fields::BASELINE);
+            entry
+        }
+        (Baseline::InFileUnits { .. }, None) => Entry::default(),
+    }
+}
+
+fn distortion(camera: &Camera) -> String {
+    let numbers: Vec<String> = camera.distortion.iter().map(|one| number(*one)).collect();
+    let model = camera.model.clone().unwrap_or_default();
+    [model, numbers.join(", ")]
+        .into_iter()
+        .filter(|part| !part.is_empty())
+        .collect::<Vec<_>>()
+        .join(": ")
+}
+
+/// What to call a rig from files with these names.
+fn first_name(found: &Calibration, names: &[String]) -> String {
+    let file = names.first().map_or("", String::as_str);
+    let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
+    if stem.is_empty() { found.format.clone() } else { stem.to_owned() }
+}

@@ -1,0 +1,202 @@
+// Calibration files in the page: dropped, chosen, pasted; and the second module that reads them, whatever happens to it.
+
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import path from 'node:path';
+import { after, before, it, ONE_ENGINE } from './harness.mjs';
+import { startBench, until } from './page.mjs';
+import { settings } from './settings.mjs';
+
+const FX = 'Focal length (fx)';
+const BASELINE = 'Camera baseline (b)';
+const DISPARITY = 'Disparity (d)';
+
+/** 700 px and 10 cm: with 50 px of disparity the mug is 1.4 m away. */
+const MIDDLEBURY = `cam0=[700 0 320; 0 700 240; 0 0 1]
+cam1=[700 0 320; 0 700 240; 0 0 1]
+doffs=0
+baseline=100
+width=640
+height=480
+`;
+/** A file whose baseline has no unit: 120 of something. */
+const OPENCV = `%YAML:1.0
+---
+P1: !!opencv-matrix
+   rows: 3
+   cols: 4
+   dt: d
+   data: [ 700., 0., 320., 0., 0., 700., 240., 0., 0., 0., 1., 0. ]
+P2: !!opencv-matrix
+   rows: 3
+   cols: 4
+   dt: d
+   data: [ 700., 0., 320., -84000., 0., 700., 240., 0., 0., 0., 1., 0. ]
+`;
+
+let bench;
+before(async () => {
+  bench = await startBench();
+});
+after(() => bench.close());
+
+/** Drops files, as names and texts, in the middle of the window. */
+async function drop(page, ...files) {
+  await page.run(
+    `const transfer = new DataTransfer();
+     for (const [name, text] of arguments[0]) transfer.items.add(new File([text], name));
+     const target = document.elementFromPoint(innerWidth / 2, innerHeight / 2);
+     for (const type of ['dragenter', 'dragover', 'drop']) target.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer: transfer }));`,
+    files,
+  );
+}
+
+/** The page, with 50 px typed into the disparity. */
+async function started(test) {
+  const page = await bench.page(test);
+  await page.start();
+  await page.fill(DISPARITY, '50');
+  return page;
+}
+
+it('a file that is dropped is shown, then used, and the distance follows', async (test) => {
+  const page = await started(test);
+  await drop(page, ['whatever.bin', MIDDLEBURY]);
+  await page.says(/whatever\.bin: a calib\.txt of Middlebury/);
+  assert.match(await page.text(), /line 4/, 'where the baseline stands');
+  assert.equal(await page.value(FX).catch(() => ''), '', 'nothing is applied before it is asked for');
+  await page.press('Use in calculator');
+  await until('the focal length', async () => (await page.value(FX)) === '700');
+  assert.equal(await page.value(BASELINE), '100');
+  await page.says(/1\.400 m/);
+  await page.press('Undo');
+  await until('the form as it was', async () => (await page.value(FX)) === '');
+  await page.press('Rigs');
+  await page.says(/whatever/);
+  await page.reload();
+  await page.says(/whatever/);
+});
+
+it('the unit that a file does not say is asked for', async (test) => {
+  const page = await started(test);
+  await drop(page, ['extrinsics.yml', OPENCV]);
+  await page.says(/does not say\. Which is it\?/);
+  const isDisabled = async () =>
+    page.run("return arguments[0].getAttribute('aria-disabled') ?? String(arguments[0].disabled ?? false)", await page.element('Use in calculator', 'button'));
+  assert.equal(await isDisabled(), 'true');
+  await page.press('The baseline is').catch(async () => page.run('arguments[0].click()', await page.element('The baseline is', 'list')));
+  await page.press('120 mm');
+  await until('the button', async () => (await isDisabled()) === 'false');
+  await page.press('Use in calculator');
+  await until('the baseline', async () => (await page.value(BASELINE)) === '120');
+});
+
+it('the text of a file can be pasted, and what cannot be read says why and changes nothing', async (test) => {
+  const page = await started(test);
+  await page.press('Rigs');
+  await page.press('Calibration file…');
+  await page.says(/recognized by what is in them/);
+  await drop(page, ['page.conf', '<!DOCTYPE html><html><body>404</body></html>']);
+  await page.says(/a web page, not a calibration/);
+  await page.says(/Nothing was changed/);
+  await page.press('Cancel');
+  await page.press('Calculator');
+  assert.equal(await page.value(DISPARITY), '50');
+  assert.equal(await page.value(FX), '');
+});
+
+it('files that are chosen are read together', async (test) => {
+  const page = await started(test);
+  await page.press('Rigs');
+  await page.press('Calibration file…');
+  // Nobody sees the dialog of the browser: what it would give is put into the input that belongs to it.
+  await page.run("HTMLInputElement.prototype.click = () => { document.body.dataset.asked = 'yes' }");
+  await page.press('Open files…');
+  await until('the input', () => page.run("return document.getElementById('calibration-files') !== null"));
+  const camera = (name, tx) => `image_width: 640
+image_height: 480
+camera_name: ${name}
+camera_matrix: {rows: 3, cols: 3, data: [700., 0., 320., 0., 700., 240., 0., 0., 1.]}
+distortion_model: plumb_bob
+distortion_coefficients: {rows: 1, cols: 5, data: [0., 0., 0., 0., 0.]}
+rectification_matrix: {rows: 3, cols: 3, data: [1., 0., 0., 0., 1., 0., 0., 0., 1.]}
+projection_matrix: {rows: 3, cols: 4, data: [700., 0., 320., ${tx}, 0., 700., 240., 0., 0., 0., 1., 0.]}
+`;
+  await page.run(
+    `const transfer = new DataTransfer();
+     for (const [name, text] of arguments[0]) transfer.items.add(new File([text], name));
+     const input = document.getElementById('calibration-files');
+     input.files = transfer.files;
+     input.dispatchEvent(new Event('change', { bubbles: true }));`,
+    [
+      ['left.yaml', camera('left', 0)],
+      ['right.yaml', camera('right', -70)],
+    ],
+  );
+  await page.says(/left\.yaml, right\.yaml: /);
+  await page.press('Use in calculator');
+  await page.says(/1\.400 m/);
+});
+
+/** What happens to the second module, by the beginnings of what its files are called, and what is then said. */
+const FAULTS = [
+  ['is not there', 'worker-', () => undefined, /could not be loaded/],
+  ['is no script', 'worker-', () => 'This is not a script.', /could not be loaded/],
+  ['is of another build', 'worker-', () => "postMessage(['{\"Ready\":{\"protocol\":0}}'])", /of another version/],
+  ['stops', 'worker-', () => "postMessage(['{\"Ready\":{\"protocol\":1}}']); onmessage = () => { throw new Error('memory') }", /stopped because of an error/],
+];
+
+for (const [what, begins, make, said] of FAULTS) {
+  it(`a second module that ${what} harms nothing, and the next file gets a new one`, async (test) => {
+    const page = await started(test);
+    // As the page asks for it: a worker of kept files would be the right one.
+    await page.run("return navigator.serviceWorker?.getRegistration().then((kept) => kept?.unregister())");
+    const name = await page.run("return document.querySelector('meta[name=worker]').content");
+    assert.ok(name.startsWith(begins), name);
+    const right = await readFile(path.join(settings.dist, name), 'utf8');
+    const broken = make();
+    bench.server.state.added.set(name, broken ?? '');
+    if (broken === undefined) await page.run("document.querySelector('meta[name=worker]').content = 'gone.js'");
+    await drop(page, ['calib.txt', MIDDLEBURY]);
+    await page.says(said);
+    assert.equal(await page.failure(), '', 'the page itself runs');
+    bench.server.state.added.set(name, right);
+    if (broken === undefined) await page.run("document.querySelector('meta[name=worker]').content = arguments[0]", name);
+    await drop(page, ['calib.txt', MIDDLEBURY]);
+    await page.press('Use in calculator');
+    await page.says(/1\.400 m/);
+  });
+}
+
+it('a second module that does not answer is given up', async (test) => {
+  const page = await started(test);
+  const name = await page.run("return document.querySelector('meta[name=worker]').content");
+  bench.server.state.added.set(name, "postMessage(['{\"Ready\":{\"protocol\":1}}']); onmessage = () => { for (;;); }");
+  await page.run("return navigator.serviceWorker?.getRegistration().then((kept) => kept?.unregister())");
+  await drop(page, ['calib.txt', MIDDLEBURY]);
+  await page.says(/Reading calib\.txt/);
+  await page.press('Cancel');
+  bench.server.state.added.set(name, await readFile(path.join(settings.dist, name), 'utf8'));
+  await drop(page, ['calib.txt', MIDDLEBURY]);
+  await page.press('Use in calculator');
+  await page.says(/1\.400 m/);
+});
+
+it('the second module is asked for at the first file, kept then, and there without a network', { engines: ONE_ENGINE }, async (test) => {
+  const page = await started(test);
+  const asked = () => page.run("return performance.getEntriesByType('resource').some((entry) => /depth-worker|worker-/.test(entry.name))");
+  const isKept = () =>
+    page.run(`return caches.keys().then(async (names) => {
+      for (const name of names) for (const request of await (await caches.open(name)).keys()) if (/depth-worker.*wasm$/.test(request.url)) return true;
+      return false;
+    })`);
+  await until('the service worker', () =>
+    page.run("return navigator.serviceWorker.getRegistration().then((kept) => kept?.active?.state === 'activated')"),
+  );
+  await page.reload();
+  assert.equal(await asked(), false);
+  assert.equal(await isKept(), false);
+  await drop(page, ['calib.txt', MIDDLEBURY]);
+  await page.says(/calib\.txt of Middlebury/);
+  await until('the module among what is kept', isKept);
+});

@@ -1,0 +1,172 @@
+//! Calibration files and rigs.
+
+use crate::machine::Machine;
+use crate::program::{B, D, DESKTOP, FX, Program};
+use depth_calculator::app::{FileContents, OpenedFile, PlatformError};
+use egui::accesskit::Role;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+
+const MIDDLEBURY: &str =
+    "cam0=[700 0 320; 0 701 240; 0 0 1]\ncam1=[700 0 331.5; 0 701 240; 0 0 1]\ndoffs=11.5\nbaseline=100\nwidth=640\nheight=480\n";
+const OPENCV_IN_SQUARES: &str = "%YAML:1.0\n---\nsquare_size: 25.\nP1: !!opencv-matrix\n   rows: 3\n   cols: 4\n   dt: d\n   data: [ 700., 0., 320., 0., 0., 700., 240., 0., 0., 0., 1., 0. ]\nP2: !!opencv-matrix\n   rows: 3\n   cols: 4\n   dt: d\n   data: [ 700., 0., 320., -2240., 0., 700., 240., 0., 0., 0., 1., 0. ]\n";
+
+fn file(name: &str, text: &str) -> OpenedFile {
+    OpenedFile {
+        name: name.to_owned(),
+        bytes: text.as_bytes().to_vec(),
+    }
+}
+
+/// Goes to the tab: the screen and its heading have the same name.
+fn show_rigs(program: &mut Program) {
+    program.control("Rigs").click();
+    program.harness.run();
+}
+
+/// Opens what the person would choose.
+fn open(program: &mut Program, chosen: Result<Vec<OpenedFile>, PlatformError>) {
+    *program.machine.chosen.borrow_mut() = Some(chosen);
+    show_rigs(program);
+    program.press("Calibration file…");
+    program.press("Open files…");
+    program.harness.run();
+}
+
+#[test]
+fn a_calibration_is_shown_with_where_each_number_stands_before_anything_changes() {
+    let mut program = Program::new();
+    program.type_into(FX, "500");
+    open(&mut program, Ok(vec![file("calib.txt", MIDDLEBURY)]));
+    for said in [
+        "calib.txt: a calib.txt of Middlebury",
+        "640 × 480 px",
+        "100 mm",
+        "11.5 px",
+        "baseline, line 4",
+        "fx: 500 px → 700 px",
+    ] {
+        assert!(program.says(said), "{said}: {}", program.text());
+    }
+    program.press("Cancel");
+    program.press("Calculator");
+    assert_eq!(program.value(FX), "500");
+    assert_eq!(program.value(B), "");
+}
+
+#[test]
+fn what_is_used_is_kept_and_can_be_undone() {
+    let mut program = Program::new();
+    program.type_into(FX, "500");
+    program.type_into(D, "50");
+    open(&mut program, Ok(vec![file("calib.txt", MIDDLEBURY)]));
+    program.press("Use in calculator");
+    assert_eq!((program.value(FX), program.value(B)), ("700".to_owned(), "100".to_owned()));
+    assert!(program.says("1.138 m"), "700 · 0.1 / 61.5");
+    assert!(program.says("“calib” is filled in."));
+    program.press("Undo");
+    assert_eq!(program.value(FX), "500");
+    show_rigs(&mut program);
+    assert!(
+        program.harness.query_by_label_contains("A calib, 100 mm · 700 px").is_some(),
+        "{}",
+        program.text()
+    );
+    let again = Program::on(program.machine.clone(), DESKTOP);
+    assert!(again.says("A calib, 100 mm · 700 px"), "after a restart");
+}
+
+#[test]
+fn a_baseline_in_squares_waits_for_their_size() {
+    let mut program = Program::new();
+    program.type_into(D, "50");
+    open(&mut program, Ok(vec![file("stereo.yml", OPENCV_IN_SQUARES)]));
+    assert!(program.control("Use in calculator").accesskit_node().is_disabled());
+    program.choose("The baseline is", "3.2 squares of the board");
+    assert_eq!(program.value("Size of a square of the board"), "25");
+    program.press("Use in calculator");
+    assert!(program.says("1.120 m"), "700 · 0.08 / 50: {}", program.text());
+}
+
+#[test]
+fn what_cannot_be_read_or_opened_says_why() {
+    let mut program = Program::new();
+    open(&mut program, Ok(vec![file("empty.yml", "")]));
+    assert!(program.says("Nothing was changed."), "{}", program.text());
+    program.press("Cancel");
+    open(&mut program, Err(PlatformError::FileTooLarge { file: "video.mp4".into() }));
+    assert!(program.says("“video.mp4” is larger than 16 MB"));
+}
+
+#[test]
+fn a_file_whose_other_half_is_elsewhere_takes_it_too() {
+    let camera = |tx: f64| {
+        format!(
+            "image_width: 640\nimage_height: 480\ncamera_matrix: {{rows: 3, cols: 3, data: [700., 0., 320., 0., 700., 240., 0., 0., 1.]}}\ndistortion_model: plumb_bob\ndistortion_coefficients: {{rows: 1, cols: 5, data: [0., 0., 0., 0., 0.]}}\nrectification_matrix: {{rows: 3, cols: 3, data: [1., 0., 0., 0., 1., 0., 0., 0., 1.]}}\nprojection_matrix: {{rows: 3, cols: 4, data: [700., 0., 320., {tx}, 0., 700., 240., 0., 0., 0., 1., 0.]}}\n"
+        )
+    };
+    let mut program = Program::new();
+    open(&mut program, Ok(vec![file("left.yaml", &camera(0.0))]));
+    *program.machine.chosen.borrow_mut() = Some(Ok(vec![file("right.yaml", &camera(-70.0))]));
+    program.press("Add another file…");
+    assert!(program.says("left.yaml, right.yaml: "), "{}", program.text());
+    assert!(program.says("100 mm"));
+}
+
+#[test]
+fn what_takes_long_can_be_given_up() {
+    let mut program = Program::new();
+    program.machine.is_slow.set(true);
+    open(&mut program, Ok(vec![file("calib.txt", MIDDLEBURY)]));
+    assert!(program.says("Reading calib.txt…"));
+    program.press("Cancel");
+    program.machine.is_slow.set(false);
+    program.harness.run();
+    assert!(program.harness.query_by_label_contains("calib.txt").is_none());
+    open(&mut program, Ok(vec![file("calib.txt", MIDDLEBURY)]));
+    assert!(program.says("calib.txt: a calib.txt of Middlebury"));
+}
+
+#[test]
+fn rigs_are_typed_compared_removed_and_brought_back() {
+    let mut program = Program::new();
+    show_rigs(&mut program);
+    program.press("New rig");
+    program.type_into("Name", "Robot, front");
+    program.type_into(FX, "700");
+    program.type_into(B, "-3");
+    assert!(program.says("A baseline is a distance and has no sign"), "{}", program.text());
+    program.type_into(B, "12 cm");
+    program.press("New rig");
+    assert!(program.says("A Robot, front, 12 cm · 700 px"), "{}", program.text());
+    assert!(program.harness.query_by_role_and_label(Role::Table, "Rigs side by side").is_some());
+    program.press("A Robot, front, 12 cm · 700 px");
+    program.press("Remove");
+    assert!(program.says("“Robot, front” was removed."));
+    program.press("Undo");
+    assert!(program.says("A Robot, front, 12 cm · 700 px"));
+    program.press("Use in calculator");
+    assert_eq!((program.value(FX), program.value(B)), ("700".to_owned(), "12".to_owned()));
+}
+
+#[test]
+fn six_rigs_are_the_most_and_a_file_of_rigs_brings_them_back() {
+    let mut program = Program::new();
+    show_rigs(&mut program);
+    for _ in 0..6 {
+        program.press("New rig");
+    }
+    assert!(program.control("New rig").accesskit_node().is_disabled());
+    program.type_into("Name", "The last");
+    program.press("Save as JSON");
+    let files = program.machine.files.borrow().clone();
+    let Some((name, FileContents::Data(json))) = files.first() else {
+        panic!("{files:?}")
+    };
+    assert_eq!(name, "depth-calculator-rigs.json");
+    let mut other = Program::on(Machine::default(), DESKTOP);
+    open(&mut other, Ok(vec![file("anything", json)]));
+    assert!(other.says("6 rigs were added."), "{}", other.text());
+    assert!(other.says("F The last"));
+    open(&mut other, Ok(vec![file("anything", json)]));
+    assert!(other.says("No rig was added: there are six already."));
+}
