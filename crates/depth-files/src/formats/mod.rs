@@ -22,6 +22,8 @@ use crate::format::Format;
 use crate::found::Found;
 use crate::node::Node;
 use crate::refusal::Refusal;
+use crate::sentences::in_one_line;
+use crate::text::lines;
 
 pub(crate) use colmap::is_colmap;
 pub(crate) use kitti::is_kitti;
@@ -34,13 +36,30 @@ pub(crate) fn read(files: &[File]) -> Result<Found, Refusal> {
         [File::Lines(format, text)] => of_lines(*format, text)?,
         _ => of_trees(files)?,
     };
+    if found.cameras.is_empty() {
+        let format = found.format;
+        return Err(Refusal::Missing { format, what: "camera" });
+    }
+    let cameras = found.cameras.len();
+    found.pair = found.pair.filter(|pair| pair.iter().all(|at| *at < cameras));
+    for camera in &mut found.cameras {
+        camera.name = in_one_line(&camera.name);
+        camera.model = camera.model.as_deref().map(in_one_line);
+        camera.origin.how = in_one_line(&camera.origin.how);
+    }
     checks::split_sides(&mut found);
     found.complete();
     checks::remark(&mut found);
     Ok(found)
 }
 
+/// No calibration has more: `rs-enumerate-devices` prints 10 000.
+const MOST_LINES: usize = 100_000;
+
 fn of_lines(format: Format, text: &str) -> Result<Found, Refusal> {
+    if lines(text).count() > MOST_LINES {
+        return Err(Refusal::TooMuch);
+    }
     match format {
         Format::Middlebury => middlebury::read(text),
         Format::Kitti => kitti::read(text),
@@ -54,10 +73,10 @@ fn of_lines(format: Format, text: &str) -> Result<Found, Refusal> {
 
 fn of_trees(files: &[File]) -> Result<Found, Refusal> {
     let mut documents: Vec<(Format, &Node)> = Vec::new();
-    let mut lines = Vec::new();
+    let mut of_lines = Vec::new();
     for file in files {
         match file {
-            File::Lines(format, _) => lines.push(*format),
+            File::Lines(format, _) => of_lines.push(*format),
             File::Trees(all) => {
                 let known = all.iter().filter_map(|document| Some((format_of(document)?, document)));
                 let before = documents.len();
@@ -68,9 +87,9 @@ fn of_trees(files: &[File]) -> Result<Found, Refusal> {
             }
         }
     }
-    if let Some(format) = lines.first().copied() {
+    if let Some(format) = of_lines.first().copied() {
         // These have all cameras in one file.
-        let mut others = lines.into_iter().chain(documents.iter().map(|(format, _)| *format));
+        let mut others = of_lines.into_iter().chain(documents.iter().map(|(format, _)| *format));
         return Err(match others.find(|other| *other != format) {
             Some(other) => Refusal::Mixed { formats: [format, other] },
             None => Refusal::OneFile { format },
