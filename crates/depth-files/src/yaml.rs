@@ -10,8 +10,14 @@ const DEEPEST: usize = 64;
 /// No calibration holds more numbers and names: point lists of OpenCV have 10 000, a scene of a thousand images 30 000.
 const MOST: usize = 200_000;
 
+/// PyYAML writes a line for each number, and so does `ros2 topic echo`.
+const MOST_LINES: usize = 2 * MOST;
+
 /// Every document that holds something in `text`, which is the `file`th.
 pub(crate) fn documents(text: &str, file: usize) -> Result<Vec<Node>, Refusal> {
+    if text.lines().count() > MOST_LINES {
+        return Err(Refusal::TooMuch);
+    }
     let repaired = repaired(text);
     let mut builder = Builder {
         file,
