@@ -26,6 +26,31 @@ impl Transform {
         })
     }
 
+    /// The way back, of a rotation that is one: (Rᵀ, −Rᵀ·t).
+    pub(crate) fn inverse(self) -> Self {
+        let [[a, b, c], [d, e, f], [g, h, i]] = self.rotation;
+        Self {
+            rotation: [[a, d, g], [b, e, h], [c, f, i]],
+            shift: self.origin(),
+        }
+    }
+
+    /// First `before`, then this one.
+    pub(crate) fn after(self, before: Self) -> Self {
+        let product = |row: Vector, column: Vector| {
+            let ([a, b, c], [x, y, z]) = (row, column);
+            a * x + b * y + c * z
+        };
+        let [[a, b, c], [d, e, f], [g, h, i]] = before.rotation;
+        let columns = [[a, d, g], [b, e, h], [c, f, i]];
+        let [x, y, z] = self.shift;
+        let [u, v, w] = self.rotation.map(|row| product(row, before.shift));
+        Self {
+            rotation: self.rotation.map(|row| columns.map(|column| product(row, column))),
+            shift: [u + x, v + y, w + z],
+        }
+    }
+
     /// Where the origin of the other frame is in the first: −Rᵀ·t.
     pub(crate) fn origin(self) -> Vector {
         let [[a, b, c], [d, e, f], [g, h, i]] = self.rotation;

@@ -2,7 +2,7 @@
 
 use crate::carrier::{File, of_xml, text};
 use crate::format::Format;
-use crate::formats::{is_colmap, is_kitti};
+use crate::formats::{is_colmap, is_kitti, is_realsense};
 use crate::refusal::Refusal;
 use crate::text::lines;
 use crate::yaml;
@@ -46,8 +46,15 @@ pub(crate) fn read(bytes: &[u8], file: usize) -> Result<File, Refusal> {
 fn of_lines(text: &str) -> Option<Format> {
     let all = lines(text).map(|line| line.text);
     let begins = |starts: &dyn Fn(&str) -> bool| all.clone().any(starts);
-    let compact = |line: &str| line.replace(' ', "").to_ascii_lowercase();
-    if text.contains("Intrinsic of \"") {
+    // What tells formats apart stands at the beginning.
+    let compact = |line: &str| {
+        line.chars()
+            .filter(|one| *one != ' ')
+            .take(20)
+            .collect::<String>()
+            .to_ascii_lowercase()
+    };
+    if is_realsense(text) {
         return Some(Format::RealSense);
     }
     if begins(&|line| line.starts_with("# oST version")) {

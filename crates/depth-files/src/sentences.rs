@@ -1,10 +1,11 @@
-//! What is said of calibration files.
+//! Why a calibration cannot be read, in words.
 
-use crate::format::Format;
-use crate::found::{Guess, Warning};
 use crate::place::Place;
 use crate::refusal::Refusal;
 use std::fmt;
+
+/// So many names of cameras are listed where one is not found.
+const SHOWN: usize = 8;
 
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -15,9 +16,13 @@ impl fmt::Display for Refusal {
 impl Refusal {
     /// The sentence, with `names` for the files in their order.
     pub fn sentence(&self, names: &[&str]) -> String {
+        in_one_line(&self.text(names))
+    }
+
+    fn text(&self, names: &[&str]) -> String {
         match self {
             Self::Empty => "The file is empty.".to_owned(),
-            Self::TooLarge => "The file is larger than any calibration: more than 16 MB.".to_owned(),
+            Self::TooLarge { megabytes } => format!("The file is larger than any calibration: more than {megabytes} MB."),
             Self::Binary { what: Some(what), todo } => format!("This is {what}, not text. {todo}"),
             Self::Binary { what: None, todo } => format!("This is a binary file, not a calibration in text. {todo}"),
             Self::Other { what, todo } => format!("This is {what}. {todo}"),
@@ -26,7 +31,7 @@ impl Refusal {
                 format!("{line} is not {what} ({reason}): the file may be truncated, or a line in it be damaged.")
             }
             Self::TooDeep => "It is nested too deeply for a calibration: brackets within brackets.".to_owned(),
-            Self::TooMuch => "Its aliases stand for more numbers than any calibration has.".to_owned(),
+            Self::TooMuch => "It holds more numbers than any calibration has, or its aliases stand for so many.".to_owned(),
             Self::Mixed { formats: [first, second] } => format!(
                 "These files do not go together: one is {}, another {}. Give the two of one pair.",
                 first.title(),
@@ -36,11 +41,29 @@ impl Refusal {
                 "No calibration is recognized in it: there is no camera matrix under a name that OpenCV, ROS, Kalibr, KITTI, COLMAP or others use."
                     .to_owned()
             }
+            Self::InFile { file, refusal } => match names.get(*file) {
+                Some(name) if names.len() > 1 => format!("{name}: {}", refusal.sentence(names)),
+                None if *file > 0 => format!("File {}: {}", file + 1, refusal.sentence(names)),
+                _ => refusal.sentence(names),
+            },
+            Self::OneFile { format } => format!(
+                "{} holds all cameras in one file: give one of these at a time.",
+                upper(format.title())
+            ),
+            Self::NoSuchCamera { name, cameras } => {
+                let more = cameras.len().saturating_sub(SHOWN);
+                let more = if more == 0 { String::new() } else { format!(" and {more} others") };
+                let some: Vec<String> = cameras.iter().take(SHOWN).map(|name| format!("“{name}”")).collect();
+                format!("No camera, or more than one, is meant by “{name}”: there are {}{more}.", some.join(", "))
+            }
+            Self::TwoCameras => "One camera is chosen, or two that are a pair.".to_owned(),
             Self::NotANumber { format, .. }
             | Self::Count { format, .. }
             | Self::Missing { format, .. }
             | Self::NotPinhole { format, .. }
-            | Self::FocalLength { format, .. } => format!("This is {}, but {}", format.title(), self.but(names)),
+            | Self::NotQ { format, .. }
+            | Self::FocalLength { format, .. }
+            | Self::ManyCameras { format } => format!("This is {}, but {}", format.title(), self.but(names)),
         }
     }
 
@@ -48,7 +71,8 @@ impl Refusal {
     fn but(&self, names: &[&str]) -> String {
         match self {
             Self::NotANumber { name, place, text, .. } => {
-                format!("in {} “{text}” of {name} is not a number.", place.words(names))
+                let hint = decimal_comma(text).map_or_else(String::new, |point| format!(" Write it with a point: {point}."));
+                format!("in {} “{text}” of {name} is not a number.{hint}", place.words(names))
             }
             Self::Count {
                 name,
@@ -56,17 +80,35 @@ impl Refusal {
                 count,
                 expected,
                 ..
-            } => format!("in {} {name} has {count} numbers, not {expected}.", place.words(names)),
+            } => {
+                let is_doubled = expected.parse::<usize>().is_ok_and(|expected| *count == 2 * expected);
+                let hint = if is_doubled {
+                    " If commas are decimal there, write points."
+                } else {
+                    ""
+                };
+                format!("in {} {name} has {count} numbers, not {expected}.{hint}", place.words(names))
+            }
             Self::Missing { what, .. } => format!("it has no {what}."),
             Self::NotPinhole { model, place, .. } => format!(
                 "the model “{model}” in {} is no pinhole: its first number is not a focal length. \
                  Calibrate with a pinhole model, or undistort the images and give the new camera matrix.",
                 place.words(names)
             ),
+            Self::NotQ {
+                name,
+                place,
+                entry: [row, column],
+                found,
+                ..
+            } => format!(
+                "in {} {name}[{row}][{column}] is {found}, which no such matrix has.",
+                place.words(names)
+            ),
             Self::FocalLength { fx, place, .. } => {
                 format!("in {} the focal length {fx} is not a number above zero.", place.words(names))
             }
-            _ => String::new(),
+            _ => "it has more cameras than can be chosen among.".to_owned(),
         }
     }
 }
@@ -87,6 +129,19 @@ impl Place {
     }
 }
 
+/// `700,5` with a point.
+fn decimal_comma(text: &str) -> Option<String> {
+    let (whole, part) = text.split_once(',')?;
+    let are_digits = !part.is_empty() && part.starts_with(|one: char| one.is_ascii_digit());
+    let point = format!("{whole}.{part}");
+    crate::number::number(&point).filter(|_| are_digits).map(|_| point)
+}
+
+/// A text in which a file is quoted, without its ends of lines and what else cannot be seen.
+pub(crate) fn in_one_line(text: &str) -> String {
+    text.chars().map(|one| if one.is_control() { ' ' } else { one }).collect()
+}
+
 /// With a capital letter.
 fn upper(text: &str) -> String {
     let mut all = text.chars();
@@ -94,87 +149,7 @@ fn upper(text: &str) -> String {
         .map_or_else(String::new, |first| first.to_uppercase().chain(all).collect())
 }
 
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::UnitUnknown { value, guess } => {
-                let value = shown(*value);
-                write!(f, "The file does not say in which unit the baseline {value} is: {guess}")
-            }
-            Self::Swapped => write!(
-                f,
-                "Left and right are swapped: the second camera stands at the left. The baseline is taken without its sign."
-            ),
-            Self::Vertical => write!(f, "The cameras stand one above the other: count the disparity in rows, with fy."),
-            Self::ZeroBaseline => write!(
-                f,
-                "The baseline is zero: these are files of a single camera, or of one camera twice."
-            ),
-            Self::Implausible { baseline } => write!(
-                f,
-                "A baseline of {} m is implausible: check the unit. Most lie between 1 mm and 5 m.",
-                shown(baseline.m())
-            ),
-            Self::NegativeBaseline => write!(f, "The baseline is negative in the file; it is taken without its sign."),
-            Self::RectificationUnusable { why } => write!(
-                f,
-                "The rectification cannot be used: {why}. What was measured of the raw images is taken instead; rectify anew."
-            ),
-            Self::Raw { format } => f.write_str(raw(*format)),
-            Self::SizeContradicts { principal, side } => write!(
-                f,
-                "The principal point {principal} lies outside of the image, which is {side} pixels in size: the numbers are of another resolution."
-            ),
-            Self::Fisheye { camera, model } => write!(
-                f,
-                "{camera}: {model} is a model of a fisheye lens. Its focal length holds only after the images were undistorted."
-            ),
-            Self::FocalLength { fx, width } => write!(
-                f,
-                "A focal length of {} px is hardly one for an image {width} px wide: is it in mm?",
-                fx.px()
-            ),
-            Self::Doffs { of_file, of_points } => write!(
-                f,
-                "doffs is {} px in the file, but the principal points differ by {} px. The file’s doffs is taken.",
-                shown(of_file.px()),
-                shown(of_points.px())
-            ),
-            Self::Many { cameras, pair: None } => write!(f, "There are {cameras} cameras: choose which."),
-            Self::Many {
-                cameras,
-                pair: Some([left, right]),
-            } => {
-                write!(f, "There are {cameras} cameras: {left} and {right} are taken as the pair.")
-            }
-            Self::OneOfPair { other } => write!(f, "This is one camera of a pair: for the baseline give the file {other} as well."),
-            Self::NoExtrinsics => write!(f, "The baseline is not in it: give the file of the extrinsics as well."),
-            Self::DepthCamera => write!(
-                f,
-                "This is an RGB-D camera: its bf is a rounded distance of the projector, not a stereo baseline."
-            ),
-            Self::NoBaseline { .. } => write!(f, "There is no baseline in it."),
-        }
-    }
-}
-
-impl fmt::Display for Guess {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Unit(unit) => write!(f, "probably {}.", unit.symbol()),
-            Self::Squares { size } => write!(f, "probably squares of the board, {size} each in the unit of its maker."),
-        }
-    }
-}
-
-const fn raw(format: Format) -> &'static str {
-    match format {
-        Format::Zed => "The values are of raw images. The SDK rectifies with others: ask it for those.",
-        _ => "The values are of raw images; those of the rectified images, in which disparities are measured, differ.",
-    }
-}
-
 /// A number without what the computer’s arithmetic added to it.
-fn shown(number: f64) -> f64 {
+pub(crate) fn shown(number: f64) -> f64 {
     format!("{number:.8e}").parse().unwrap_or(number)
 }

@@ -1,7 +1,9 @@
 //! What camera matrices and projection matrices say.
 
 use crate::checks::Pinhole;
-use crate::found::{Found, Warning};
+use crate::found::Found;
+use crate::place::Origin;
+use crate::warning::Warning;
 
 /// Two numbers as width and height, where they are some.
 pub(super) fn size([width, height]: [f64; 2]) -> Option<[u32; 2]> {
@@ -17,6 +19,34 @@ pub(super) fn size([width, height]: [f64; 2]) -> Option<[u32; 2]> {
 /// The numbers of a camera matrix, row after row, as fx, fy, cx, cy.
 pub(super) const fn of_matrix([fx, _, cx, _, fy, cy, ..]: [f64; 9]) -> Pinhole {
     [fx, fy, cx, cy]
+}
+
+/// The same of a matrix that may have rows for columns, as MATLAB has it: then its last column is 0, 0, 1, which is said.
+pub(super) fn read_matrix(matrix: [f64; 9], origin: &Origin, warnings: &mut Vec<Warning>) -> Pinhole {
+    let [fx, _, zero, _, fy, other_zero, cx, cy, one] = matrix;
+    let is_turned = [zero, other_zero, one - 1.0] == [0.0; 3] && cx > 1.0 && cy > 1.0;
+    if !is_turned {
+        return of_matrix(matrix);
+    }
+    let warning = Warning::Transposed { origin: origin.clone() };
+    if !warnings.contains(&warning) {
+        warnings.push(warning);
+    }
+    [fx, fy, cx, cy]
+}
+
+/// A projection matrix that may have rows for columns: then its third column is 0, 0, 1, 0, which is said.
+pub(super) fn read_projection(matrix: [f64; 12], origin: &Origin, warnings: &mut Vec<Warning>) -> Projection {
+    let [fx, _, zero, _, fy, other_zero, cx, cy, one, tx, ty, last] = matrix;
+    let is_turned = [zero, other_zero, one - 1.0, last] == [0.0; 4] && cx > 1.0 && cy > 1.0;
+    if !is_turned {
+        return Projection::new(matrix);
+    }
+    warnings.push(Warning::Transposed { origin: origin.clone() });
+    Projection {
+        pinhole: [fx, fy, cx, cy],
+        shift: [tx, ty],
+    }
 }
 
 /// A projection matrix of a rectified camera: P = K·(I | t) with t along the row or the column of the images.
