@@ -176,6 +176,7 @@ impl Command {
         match self {
             Self::Calculate => "Calculate: marks what is missing and goes there",
             Self::Undo => "Undo (⌘ Z on a Mac)",
+            Self::OpenFiles => "Open calibration files",
             Self::ShowDialog(Some(Dialog::Keys)) => "This list",
             other => other.text(),
         }

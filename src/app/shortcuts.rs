@@ -23,6 +23,7 @@ pub fn pressed(ctx: &Context) -> Option<Command> {
         Command::Redo,
         Command::Undo,
         Command::SaveReport,
+        Command::OpenFiles,
         Command::ShowDialog(Some(Dialog::Keys)),
     ];
     let mut all = Screen::ALL.map(Command::Show).into_iter().chain(commands);
@@ -40,7 +41,7 @@ fn rows() -> Vec<(String, String)> {
         let what: Vec<&str> = commands.iter().map(Command::explanation).collect();
         (names.join(", "), what.join(", "))
     };
-    vec![
+    let mut rows = vec![
         keys("Tab, Shift + Tab", "Next field or button, and the one before"),
         of(&[Command::Calculate]),
         keys("↑ ↓", "Step the field, or the point on the curve"),
@@ -48,10 +49,14 @@ fn rows() -> Vec<(String, String)> {
         of(&[Command::Undo]),
         of(&[Command::Redo]),
         of(&[Command::SaveReport]),
+        of(&[Command::OpenFiles]),
         of(&Screen::ALL.map(Command::Show)),
         keys("Esc", "Close what is open: a list, a menu, a dialog"),
         of(&[Command::ShowDialog(Some(Dialog::Keys))]),
-    ]
+    ];
+    // A command may have keys on a desktop only.
+    rows.retain(|(keys, _)| !keys.is_empty());
+    rows
 }
 
 /// The list, over the screen.
@@ -126,7 +131,9 @@ mod tests {
             (key(Modifiers::COMMAND, Key::Y), Some(Command::Redo)),
             (key(Modifiers::COMMAND, Key::P), Some(Command::SaveReport)),
             (key(Modifiers::ALT, Key::Num1), Some(Command::Show(Screen::Calculator))),
-            (key(Modifiers::ALT, Key::Num2), Some(Command::Show(Screen::Learn))),
+            (key(Modifiers::COMMAND, Key::O), Some(Command::OpenFiles)),
+            (key(Modifiers::ALT, Key::Num2), Some(Command::Show(Screen::Rigs))),
+            (key(Modifiers::ALT, Key::Num3), Some(Command::Show(Screen::Learn))),
             (Event::Text("?".to_owned()), Some(Command::ShowDialog(Some(Dialog::Keys)))),
             (key(Modifiers::NONE, Key::Z), None),
             (key(Modifiers::NONE, Key::Enter), None),
@@ -143,7 +150,8 @@ mod tests {
             ("Ctrl + Z", "Undo (⌘ Z on a Mac)"),
             ("Ctrl + Shift + Z", "Redo"),
             ("Ctrl + P", "Save report (HTML)"),
-            ("Alt + 1, Alt + 2", "Calculator, Learn"),
+            ("Ctrl + O", "Open calibration files"),
+            ("Alt + 1, Alt + 2, Alt + 3", "Calculator, Rigs, Learn"),
             ("?", "This list"),
         ] {
             assert!(rows.contains(&(keys.to_owned(), what.to_owned())), "{keys}: {rows:?}");

@@ -54,7 +54,7 @@ const SCREENS = {
     await until('a field marked as invalid', () => page.run(`return document.querySelector('${MIRROR} [aria-invalid=true]') !== null`));
   },
   'the explanations': async (page) => {
-    await page.press('Learn');
+    await page.show('Learn');
     await page.says(/What this computes/);
   },
   'the list of keys': async (page) => {

@@ -50,7 +50,7 @@ it('the search of the browser marks the painted words', async (test) => {
 it('the search of the browser scrolls to what is out of sight, down and up again', async (test) => {
   const page = await bench.page(test);
   await page.start();
-  await page.press('Learn');
+  await page.show('Learn');
   await page.says(/What this computes/);
   // What stands in the page once: in the list of contents a heading stands again.
   const headings = await page.run(`

@@ -142,7 +142,7 @@ it('the screens are named, and Back and Forward go between them', async (test) =
   await shows('Depth Calculator');
   await page.run('arguments[0].focus()', await page.field(FX));
   // From a field that is not there any more.
-  await page.driver.actions().keyDown(Key.ALT).sendKeys('2').keyUp(Key.ALT).perform();
+  await page.driver.actions().keyDown(Key.ALT).sendKeys('3').keyUp(Key.ALT).perform();
   await shows('Learn – Depth Calculator');
   await until('the focus on the tab of the screen', async () => (await page.run(FOCUSED)) === 'Learn');
   await page.driver.navigate().back();

@@ -169,7 +169,7 @@ it('what assistive technology is told is what the mirror says, at the place that
   await page.press('OpenCV × 16, doffs…');
   await look('a dialog');
   await page.press('Cancel');
-  await page.press('Learn');
+  await page.show('Learn');
   await look('the explanations');
 });
 
@@ -359,7 +359,7 @@ it('a keyboard with letters and a minus is asked for, as a unit may be typed, an
   await page.says(/Step ten times as far|Shift \+ ↑ ↓/);
   await page.press('Close');
   await page.run('arguments[0].focus()', await page.field('Disparity (d)'));
-  await page.driver.actions().keyDown(Key.ALT).sendKeys('2').keyUp(Key.ALT).perform();
+  await page.driver.actions().keyDown(Key.ALT).sendKeys('3').keyUp(Key.ALT).perform();
   await page.says(/What this computes/);
 });
 

@@ -277,6 +277,20 @@ export class Page {
     await this.run('arguments[0].click()', await this.element(name, 'button', 'link', 'tab', 'choice', 'radio'));
   }
 
+  /** Shows a screen: by its tab, or on a phone by the menu that all are in. */
+  async show(screen) {
+    const menu = await this.run("return [...document.querySelectorAll(arguments[0] + ' [aria-haspopup=menu]')].find((one) => /^Screens/.test(one.getAttribute('aria-label') ?? ''))", MIRROR);
+    if (menu) {
+      await this.run('arguments[0].click()', menu);
+      const entry = await until(`"${screen}" in the menu`, async () =>
+        this.run("return [...document.querySelectorAll(arguments[0] + ' [role^=menuitem]')].find((one) => (one.getAttribute('aria-label') ?? one.textContent).trim() === arguments[1])", MIRROR, screen),
+      );
+      await this.run('arguments[0].click()', entry);
+    } else {
+      await this.press(screen);
+    }
+  }
+
   /** The middle of an element, in whole pixels of the window. */
   middle(element) {
     return this.within(element, 0.5);

@@ -43,7 +43,7 @@ const SCREENS = {
   'calculator-full': (page) => fillAll(page, FULL),
   'calculator-disagree': (page) => fillAll(page, DISAGREE),
   'calculator-errors': (page) => fillAll(page, MISTAKES),
-  learn: (page) => page.press('Learn'),
+  learn: (page) => page.show('Learn'),
 };
 
 async function fillAll(page, values) {

@@ -113,10 +113,11 @@ fn nothing_is_computed_while_nothing_happens() {
 #[test]
 fn everything_is_within_the_narrowest_and_lowest_windows() {
     for size in [vec2(320.0, 640.0), vec2(320.0, 256.0), vec2(320.0, 200.0), vec2(640.0, 400.0)] {
-        for screen in ["Calculator", "Learn"] {
+        for screen in ["Calculator", "Rigs", "Learn"] {
             let mut program = Program::on(Machine::default(), size);
-            if screen == "Learn" {
-                program.harness.key_press_modifiers(Modifiers::ALT, Key::Num2);
+            let keys = [("Rigs", Key::Num2), ("Learn", Key::Num3)];
+            if let Some((_, key)) = keys.into_iter().find(|(name, _)| *name == screen) {
+                program.harness.key_press_modifiers(Modifiers::ALT, key);
                 program.harness.run();
             }
             let wide: Vec<String> = program

@@ -444,13 +444,13 @@ table! {
     /// Width of a whole image.
     FRAME_WIDTH = FieldSpec {
         key: "frame-width", name: "Width of the image", noun: "the width of the image", examples: &["1280"],
-        label: "Width of the image", hint: "Of the whole image that you have",
+        label: "Width of the image", hint: "Of the whole image that you have", hint_in_pair: "Of the whole image",
         ..PIXELS
     };
     /// Height of a whole image.
     FRAME_HEIGHT = FieldSpec {
         key: "frame-height", name: "Height of the image", noun: "the height of the image", examples: &["720"],
-        label: "Height of the image", hint: "Of the whole image that you have",
+        label: "Height of the image", hint: "Of the whole image that you have", hint_in_pair: "Of the whole image",
         ..PIXELS
     };
     /// Field of view along the rows.

@@ -8,6 +8,7 @@ use crate::app::widgets::cards;
 use crate::app::widgets::table::{self, Cell};
 use crate::app::widgets::text;
 use depth_text::field::Key;
+use depth_text::fields;
 use depth_text::names::Named as _;
 use depth_text::reading;
 use depth_text::unit::Unit;
@@ -66,7 +67,9 @@ fn table_ui(ui: &mut Ui, rigs: &[Rig]) {
         };
         row_ui("Images", &|rig| rig.basis.name().to_owned());
         for key in Rig::KEYS {
-            row_ui(key.name, &|rig| shown(rig, key));
+            // The name of the zero point is a sentence.
+            let name = if key == fields::ZERO { key.label } else { key.name };
+            row_ui(name, &|rig| shown(rig, key));
         }
         row_ui("Distortion", &|rig| or_dash(&rig.distortion));
         row_ui("Source", &|rig| or_dash(&rig.source));

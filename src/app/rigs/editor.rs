@@ -31,11 +31,11 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, assessment: Option<&Assessment>)
     let title = format!("Rig {}", letter(at));
     let palette = theme::palette(ui);
     text::heading_ui(ui, &title, 2, theme::strong(theme::CARD_HEADING_SIZE), palette.text);
-    ui.add_space(theme::STEP);
     ui.scope_builder(UiBuilder::new().scope_id(Id::unique(("editor of a rig", at))), |ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ui.add_space(theme::STEP);
         text_field_ui(ui, (at, "Name"), &mut rig.name, "Robot, front");
         for (heading, keys) in GROUPS {
-            ui.add_space(theme::STEP);
             group_heading_ui(ui, heading, rig);
             for pair in keys.chunks(2) {
                 pair_ui(ui, (at, pair), rig, assessment, &mut commands);

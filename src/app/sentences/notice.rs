@@ -144,6 +144,11 @@ mod tests {
             NoticeText::FilledByExample => NoticeText::FilledByExample,
             NoticeText::FilledByLink => NoticeText::FilledByLink,
             NoticeText::FilledByQMatrix => NoticeText::FilledByQMatrix,
+            NoticeText::FilledByRig(_) => NoticeText::FilledByRig("Robot, front".to_owned()),
+            NoticeText::RigsAdded { .. } => NoticeText::RigsAdded { added: 2, left_out: 0 },
+            NoticeText::RigRemoved(_) => NoticeText::RigRemoved("Robot, front".to_owned()),
+            NoticeText::RigsNotSaved { .. } => NoticeText::RigsNotSaved { reason: "key must be a string".to_owned() },
+            NoticeText::NotOpened(_) => NoticeText::NotOpened(PlatformError::FileTooLarge { file: "video.mp4".to_owned() }),
             NoticeText::Undone => NoticeText::Undone,
             NoticeText::NothingToUndo => NoticeText::NothingToUndo,
             NoticeText::Redone => NoticeText::Redone,
@@ -156,6 +161,9 @@ mod tests {
         let not_loaded = || FreshStart::NotLoaded(PlatformError::NoStorage);
         notices.extend([
             NoticeText::Saved(Place::File("Downloads/top-view.png".into())),
+            NoticeText::RigsAdded { added: 1, left_out: 0 },
+            NoticeText::RigsAdded { added: 2, left_out: 1 },
+            NoticeText::RigsAdded { added: 0, left_out: 3 },
             NoticeText::Forgetful {
                 cause: not_loaded(),
                 obstacle: None,

@@ -48,7 +48,7 @@ export function steps(page) {
       await page.type('?');
     }],
     ['Escape: they close', type(ESCAPE)],
-    ['Alt + 2: Learn', () => page.driver.actions().keyDown(Key.ALT).sendKeys('2').keyUp(Key.ALT).perform()],
+    ['Alt + 3: Learn', () => page.driver.actions().keyDown(Key.ALT).sendKeys('3').keyUp(Key.ALT).perform()],
     ['Back, as the browser has it', () => page.driver.navigate().back()],
   ];
 }
