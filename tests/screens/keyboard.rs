@@ -32,7 +32,7 @@ fn what_stands_below_is_read_and_reached_after_what_stands_above() {
 #[test]
 fn the_question_mark_lists_the_keys() {
     let mut program = Program::new();
-    program.press("Learn");
+    program.show("Learn");
     program.harness.event(egui::Event::Text("?".into()));
     program.harness.run();
     assert!(program.says("Step ten times as far"));
@@ -153,7 +153,7 @@ fn what_is_scrolled_stays_where_it_is_while_the_focus_is_elsewhere_and_another_s
             program.harness.run_steps(20);
             assert_eq!(tops(&program), before, "the focus on {tab} at {size}");
         }
-        program.press("Learn");
+        program.show("Learn");
         program.harness.get_by_role_and_label(Role::Tab, "Calculator").focus();
         program.harness.get_by_role_and_label(Role::Tab, "Calculator").click();
         program.harness.run_steps(20);

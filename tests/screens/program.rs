@@ -100,6 +100,14 @@ impl Program {
         self.harness.run();
     }
 
+    /// Shows a screen by its key: a phone has no tabs in sight.
+    pub fn show(&mut self, screen: &str) {
+        let keys = [("Calculator", Key::Num1), ("Rigs", Key::Num2), ("Learn", Key::Num3)];
+        let (_, key) = keys.into_iter().find(|(name, _)| *name == screen).unwrap();
+        self.harness.key_press_modifiers(Modifiers::ALT, key);
+        self.harness.run();
+    }
+
     pub fn choose(&mut self, combo: &str, option: &str) {
         self.harness.get_by_role_and_label(Role::ComboBox, combo).scroll_to_me();
         self.harness.run();

@@ -6,27 +6,21 @@ use depth_calculator::app::{FileContents, OpenedFile, PlatformError};
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
-const MIDDLEBURY: &str =
+pub const MIDDLEBURY: &str =
     "cam0=[700 0 320; 0 701 240; 0 0 1]\ncam1=[700 0 331.5; 0 701 240; 0 0 1]\ndoffs=11.5\nbaseline=100\nwidth=640\nheight=480\n";
-const OPENCV_IN_SQUARES: &str = "%YAML:1.0\n---\nsquare_size: 25.\nP1: !!opencv-matrix\n   rows: 3\n   cols: 4\n   dt: d\n   data: [ 700., 0., 320., 0., 0., 700., 240., 0., 0., 0., 1., 0. ]\nP2: !!opencv-matrix\n   rows: 3\n   cols: 4\n   dt: d\n   data: [ 700., 0., 320., -2240., 0., 700., 240., 0., 0., 0., 1., 0. ]\n";
+pub const OPENCV_IN_SQUARES: &str = "%YAML:1.0\n---\nsquare_size: 25.\nP1: !!opencv-matrix\n   rows: 3\n   cols: 4\n   dt: d\n   data: [ 700., 0., 320., 0., 0., 700., 240., 0., 0., 0., 1., 0. ]\nP2: !!opencv-matrix\n   rows: 3\n   cols: 4\n   dt: d\n   data: [ 700., 0., 320., -2240., 0., 700., 240., 0., 0., 0., 1., 0. ]\n";
 
-fn file(name: &str, text: &str) -> OpenedFile {
+pub fn file(name: &str, text: &str) -> OpenedFile {
     OpenedFile {
         name: name.to_owned(),
         bytes: text.as_bytes().to_vec(),
     }
 }
 
-/// Goes to the tab: the screen and its heading have the same name.
-fn show_rigs(program: &mut Program) {
-    program.control("Rigs").click();
-    program.harness.run();
-}
-
 /// Opens what the person would choose.
-fn open(program: &mut Program, chosen: Result<Vec<OpenedFile>, PlatformError>) {
+pub fn open(program: &mut Program, chosen: Result<Vec<OpenedFile>, PlatformError>) {
     *program.machine.chosen.borrow_mut() = Some(chosen);
-    show_rigs(program);
+    program.show("Rigs");
     program.press("Calibration file…");
     program.press("Open files…");
     program.harness.run();
@@ -65,7 +59,7 @@ fn what_is_used_is_kept_and_can_be_undone() {
     assert!(program.says("“calib” is filled in."));
     program.press("Undo");
     assert_eq!(program.value(FX), "500");
-    show_rigs(&mut program);
+    program.show("Rigs");
     assert!(
         program.harness.query_by_label_contains("A calib, 100 mm · 700 px").is_some(),
         "{}",
@@ -129,7 +123,7 @@ fn what_takes_long_can_be_given_up() {
 #[test]
 fn rigs_are_typed_compared_removed_and_brought_back() {
     let mut program = Program::new();
-    show_rigs(&mut program);
+    program.show("Rigs");
     program.press("New rig");
     program.type_into("Name", "Robot, front");
     program.type_into(FX, "700");
@@ -151,7 +145,7 @@ fn rigs_are_typed_compared_removed_and_brought_back() {
 #[test]
 fn six_rigs_are_the_most_and_a_file_of_rigs_brings_them_back() {
     let mut program = Program::new();
-    show_rigs(&mut program);
+    program.show("Rigs");
     for _ in 0..6 {
         program.press("New rig");
     }

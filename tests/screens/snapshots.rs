@@ -4,6 +4,7 @@ use crate::images;
 use crate::llvmpipe::{self, Painter};
 use crate::machine::Machine;
 use crate::program::{B, D, DESKTOP, FX, PHONE, Program, W_IMG, W_REAL, type_sigma};
+use crate::rigs;
 use egui::accesskit::Role;
 use egui::{Vec2, vec2};
 use egui_kittest::Harness;
@@ -480,7 +481,37 @@ fn type_q_matrix(program: &mut Program) {
 
 #[test]
 fn learn_looks_as_before() {
-    look("learn", &TOP, |program| program.press("Learn"));
+    look("learn", &TOP, |program| program.show("Learn"));
+}
+
+#[test]
+fn rigs_look_as_before() {
+    look("rigs", &TOP, |program| {
+        rigs::open(program, Ok(vec![rigs::file("calib.txt", rigs::MIDDLEBURY)]));
+        program.press("Add to rigs");
+        program.press("New rig");
+        program.type_into("Name", "Robot, front");
+        program.type_into(FX, "1050");
+        program.type_into(B, "6 cm");
+        program.blur();
+    });
+}
+
+#[test]
+fn a_calibration_looks_as_before() {
+    look("import", &DIALOG, |program| {
+        rigs::open(program, Ok(vec![rigs::file("stereo.yml", rigs::OPENCV_IN_SQUARES)]));
+        program.choose("The baseline is", "3.2 squares of the board");
+        program.blur();
+    });
+}
+
+#[test]
+fn what_is_no_calibration_looks_as_before() {
+    look("import-refused", &DIALOG, |program| {
+        rigs::open(program, Ok(vec![rigs::file("SN1234.conf", "<!DOCTYPE html><html></html>")]));
+        program.blur();
+    });
 }
 
 #[test]

@@ -156,7 +156,7 @@ table! {
         signed: true, is_optional: true,
         input: Some(Field::Doffs), section: Some(Section::Stereo),
         option: option("doffs", "cx of the right camera minus cx of the left one, added to the disparity; with --pair vertical, cy of the lower camera minus cy of the upper one", "1 σ of doffs"),
-        label: "Principal point offset", sigma_example: "0.5",
+        label: "Principal point offset", hint_in_pair: "cx right − cx left", sigma_example: "0.5",
         ..INPUT
     };
     /// w_img, px, an angle or a length on the sensor
@@ -635,7 +635,7 @@ in_other_words! {
         hint: "From the upper lens center to the lower one", behind_reading: ", from the upper lens center to the lower"
     }
     VERTICAL_DOFFS = DOFFS {
-        hint: "cy lower − cy upper; added to the disparity"
+        hint: "cy lower − cy upper; added to the disparity", hint_in_pair: "cy lower − cy upper"
     }
     VERTICAL_DISPARITY = DISPARITY {
         hint: "y upper − y lower; good matching: ± 0.1 to 0.5 px",
