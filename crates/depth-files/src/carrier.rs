@@ -1,7 +1,9 @@
 //! What the bytes of a file are: text, XML, or something that is known and no calibration.
 
+use crate::binary;
 use crate::format::Format;
-use crate::node::Node;
+use crate::formats::FTC_ROOT;
+use crate::node::{Node, Value};
 use crate::refusal::Refusal;
 use crate::xml;
 
@@ -12,7 +14,7 @@ pub const LARGEST: usize = 16 << 20;
 pub(crate) enum File {
     /// Lines of a format that has no other structure.
     Lines(Format, String),
-    /// YAML, JSON or XML: each document.
+    /// YAML, JSON or XML: each document; or arrays of NumPy.
     Trees(Vec<Node>),
 }
 
@@ -26,34 +28,25 @@ pub(crate) fn of_xml(text: &str, file: usize) -> Result<File, Refusal> {
             todo: "Give the file that the calibration wrote.",
         }),
         "opencv_storage" => Ok(File::Trees(vec![node])),
+        FTC_ROOT => {
+            let place = node.place;
+            let value = Value::Map(vec![(root, node)]);
+            Ok(File::Trees(vec![Node { place, value }]))
+        }
         _ => Err(Refusal::Unknown),
     }
 }
 
 /// The text in `bytes`, with `\n` at the end of each line.
 pub(crate) fn text(bytes: &[u8]) -> Result<String, Refusal> {
-    const EXPORT: &str = "Write its numbers into a text file, such as JSON.";
     if bytes.len() > LARGEST {
         return Err(Refusal::TooLarge);
     }
     if bytes.is_empty() {
         return Err(Refusal::Empty);
     }
-    let what = match bytes {
-        [b'P', b'K', 3, 4, ..] => Some("an archive, as NumPy’s .npz"),
-        [0x93, b'N', b'U', b'M', b'P', b'Y', ..] => Some("an array of NumPy"),
-        bytes if bytes.starts_with(b"MATLAB 5.0 MAT-file") => Some("a file of MATLAB"),
-        // The number of cameras, of 64 bits.
-        [_, _, 0, 0, 0, 0, 0, 0, _, ..] => {
-            return Err(Refusal::Binary {
-                what: Some("cameras.bin of COLMAP, its binary form"),
-                todo: "Export it as text: colmap model_converter --output_type TXT.",
-            });
-        }
-        _ => None,
-    };
-    if what.is_some() || bytes.contains(&0) {
-        return Err(Refusal::Binary { what, todo: EXPORT });
+    if let Some(refusal) = binary::refusal(bytes) {
+        return Err(refusal);
     }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     Ok(String::from_utf8_lossy(bytes).replace("\r\n", "\n").replace('\r', "\n"))

@@ -207,6 +207,13 @@ pub enum Warning {
     NoExtrinsics,
     /// A baseline that belongs to a depth camera.
     DepthCamera,
+    /// The file has no cx and cy: they are those of the center.
+    NoPrincipalPoint {
+        /// Its name.
+        camera: String,
+    },
+    /// The baseline is how the cameras were designed, not measured.
+    ByDesign,
     /// A single camera.
     NoBaseline {
         /// Who wrote it.

@@ -6,6 +6,7 @@
 //! assert_eq!(found.baseline.unwrap().length(None).unwrap().m(), 0.1);
 //! ```
 
+mod binary;
 mod carrier;
 mod checks;
 mod format;

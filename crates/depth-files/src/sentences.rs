@@ -21,6 +21,7 @@ impl Refusal {
             Self::Binary { what: Some(what), todo } => format!("This is {what}, not text. {todo}"),
             Self::Binary { what: None, todo } => format!("This is a binary file, not a calibration in text. {todo}"),
             Self::Other { what, todo } => format!("This is {what}. {todo}"),
+            Self::Damaged { what, reason } => format!("This is {what}, but it is truncated or damaged: {reason}."),
             Self::Syntax { what, place, reason } => {
                 let line = upper(&place.words(names));
                 format!("{line} is not {what} ({reason}): the file may be truncated, or a line in it be damaged.")
@@ -82,6 +83,9 @@ impl Place {
             None if file == 0 => String::new(),
             None => format!("file {}", file + 1),
         };
+        if line.is_empty() && of.is_empty() {
+            return "the file".to_owned();
+        }
         let between = if line.is_empty() || of.is_empty() { "" } else { " of " };
         format!("{line}{between}{of}")
     }
@@ -101,26 +105,15 @@ impl fmt::Display for Warning {
                 let value = shown(*value);
                 write!(f, "The file does not say in which unit the baseline {value} is: {guess}")
             }
-            Self::Swapped => write!(
-                f,
-                "Left and right are swapped: the second camera stands at the left. The baseline is taken without its sign."
-            ),
-            Self::Vertical => write!(f, "The cameras stand one above the other: count the disparity in rows, with fy."),
-            Self::ZeroBaseline => write!(
-                f,
-                "The baseline is zero: these are files of a single camera, or of one camera twice."
-            ),
             Self::Implausible { baseline } => write!(
                 f,
                 "A baseline of {} m is implausible: check the unit. Most lie between 1 mm and 5 m.",
                 shown(baseline.m())
             ),
-            Self::NegativeBaseline => write!(f, "The baseline is negative in the file; it is taken without its sign."),
             Self::RectificationUnusable { why } => write!(
                 f,
                 "The rectification cannot be used: {why}. What was measured of the raw images is taken instead; rectify anew."
             ),
-            Self::Raw { format } => f.write_str(raw(*format)),
             Self::SizeContradicts { principal, side } => write!(
                 f,
                 "The principal point {principal} lies outside of the image, which is {side} pixels in size: the numbers are of another resolution."
@@ -148,12 +141,31 @@ impl fmt::Display for Warning {
                 write!(f, "There are {cameras} cameras: {left} and {right} are taken as the pair.")
             }
             Self::OneOfPair { other } => write!(f, "This is one camera of a pair: for the baseline give the file {other} as well."),
-            Self::NoExtrinsics => write!(f, "The baseline is not in it: give the file of the extrinsics as well."),
-            Self::DepthCamera => write!(
+            Self::NoPrincipalPoint { camera } => write!(
                 f,
-                "This is an RGB-D camera: its bf is a rounded distance of the projector, not a stereo baseline."
+                "{camera}: the file has no principal point (cx, cy). The center of the image is taken, from which it may be some percent away."
             ),
-            Self::NoBaseline { .. } => write!(f, "There is no baseline in it."),
+            _ => f.write_str(self.fixed()),
+        }
+    }
+}
+
+impl Warning {
+    /// The sentence of a warning in which nothing of the file is said.
+    const fn fixed(&self) -> &'static str {
+        match self {
+            Self::Swapped => "Left and right are swapped: the second camera stands at the left. The baseline is taken without its sign.",
+            Self::Vertical => "The cameras stand one above the other: count the disparity in rows, with fy.",
+            Self::ZeroBaseline => "The baseline is zero: these are files of a single camera, or of one camera twice.",
+            Self::NegativeBaseline => "The baseline is negative in the file; it is taken without its sign.",
+            Self::Raw { format } => raw(*format),
+            Self::NoExtrinsics => "The baseline is not in it: give the file of the extrinsics as well.",
+            Self::DepthCamera => "This is an RGB-D camera: its bf is a rounded distance of the projector, not a stereo baseline.",
+            Self::ByDesign => {
+                "The cameras are not calibrated: what is between them is how they were designed (specTranslation), not what was measured."
+            }
+            Self::NoBaseline { .. } => "There is no baseline in it.",
+            _ => "",
         }
     }
 }

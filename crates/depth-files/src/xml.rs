@@ -1,4 +1,4 @@
-//! XML as OpenCV writes it, as a [`Node`].
+//! XML as OpenCV writes it, and others with attributes, as a [`Node`].
 
 use crate::node::{Node, Value};
 use crate::place::Place;
@@ -10,7 +10,7 @@ pub(crate) fn document(text: &str, file: usize) -> Result<(String, Node), Refusa
     // No calibration has a document type, with which entities come that stand for more than memory holds.
     let options = ParsingOptions {
         allow_dtd: false,
-        nodes_limit: 2_000_000,
+        nodes_limit: 100_000,
         ..ParsingOptions::default()
     };
     let document = Document::parse_with_options(text, options).map_err(|error| Refusal::Syntax {
@@ -32,17 +32,20 @@ fn place(file: usize, row: u32) -> Place {
 fn node(element: roxmltree::Node<'_, '_>, file: usize) -> Node {
     let line = element.document().text_pos_at(element.range().start).row;
     let children = element.children().filter(roxmltree::Node::is_element);
-    let entries: Vec<(String, Node)> = children
-        .map(|child| (child.tag_name().name().to_owned(), node(child, file)))
-        .collect();
+    let place = place(file, line);
+    // Those that OpenCV writes say nothing that is needed.
+    let is_opencv = element.document().root_element().has_tag_name("opencv_storage");
+    let attributes = element.attributes().filter(|_| !is_opencv).map(|one| {
+        let value = Value::Text(one.value().to_owned());
+        (one.name().to_owned(), Node { place, value })
+    });
+    let children = children.map(|child| (child.tag_name().name().to_owned(), node(child, file)));
+    let entries: Vec<(String, Node)> = attributes.chain(children).collect();
     let value = match entries.first() {
         None => Value::Text(element.text().unwrap_or_default().trim().to_owned()),
         // A sequence of OpenCV.
         Some(_) if entries.iter().all(|(name, _)| name == "_") => Value::List(entries.into_iter().map(|(_, node)| node).collect()),
         Some(_) => Value::Map(entries),
     };
-    Node {
-        place: place(file, line),
-        value,
-    }
+    Node { place, value }
 }

@@ -14,9 +14,15 @@ pub(super) fn size([width, height]: [f64; 2]) -> Option<[u32; 2]> {
     Some([side(width)?, side(height)?])
 }
 
-/// The numbers of a camera matrix, row after row, as fx, fy, cx, cy.
-pub(super) const fn of_matrix([fx, _, cx, _, fy, cy, ..]: [f64; 9]) -> Pinhole {
-    [fx, fy, cx, cy]
+/// Whether the numbers of a camera matrix come column by column: its last column is then where its last row should be.
+pub(super) fn is_by_columns([_, _, c, _, _, f, g, h, i]: [f64; 9]) -> bool {
+    [c, f, i] == [0.0, 0.0, 1.0] && [g, h] != [0.0; 2]
+}
+
+/// The numbers of a camera matrix, row after row or column after column, as fx, fy, cx, cy.
+pub(super) fn of_matrix(matrix: [f64; 9]) -> Pinhole {
+    let [fx, _, cx, _, fy, cy, x, y, _] = matrix;
+    if is_by_columns(matrix) { [fx, fy, x, y] } else { [fx, fy, cx, cy] }
 }
 
 /// A projection matrix of a rectified camera: P = K·(I | t) with t along the row or the column of the images.

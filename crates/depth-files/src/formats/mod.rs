@@ -1,16 +1,26 @@
 //! A file for each format: how it is recognized, and what it means.
 
+mod baseline;
+mod bouguet;
 mod colmap;
+mod depth_ai;
 mod euroc;
+mod foundation_stereo;
+mod ftc;
+mod intrinsics;
+mod intrinsics_names;
 mod kalibr;
 mod kitti;
 mod matrix;
 mod middlebury;
+mod numpy;
 mod opencv;
 mod opencv_names;
 mod orbslam;
 mod realsense;
 mod ros;
+mod transforms;
+mod vins;
 mod zed;
 
 use crate::carrier::File;
@@ -20,8 +30,12 @@ use crate::found::Found;
 use crate::node::Node;
 use crate::refusal::Refusal;
 
+pub(crate) use bouguet::is_bouguet;
 pub(crate) use colmap::is_colmap;
+pub(crate) use foundation_stereo::is_foundation_stereo;
+pub(crate) use ftc::ROOT as FTC_ROOT;
 pub(crate) use kitti::is_kitti;
+pub(crate) use numpy::{document as numpy, is_numpy};
 
 /// What these files say together.
 pub(crate) fn read(files: &[File]) -> Result<Found, Refusal> {
@@ -42,6 +56,8 @@ fn of_lines(format: Format, text: &str) -> Result<Found, Refusal> {
         Format::Zed => zed::read(text),
         Format::RealSense => realsense::read(text),
         Format::Ros => ros::read_text(text),
+        Format::FoundationStereo => foundation_stereo::read(text),
+        Format::Bouguet => bouguet::read(text),
         _ => Err(Refusal::Unknown),
     }
 }
@@ -64,9 +80,15 @@ fn of_trees(files: &[File]) -> Result<Found, Refusal> {
             }
         }
     }
-    let Some((format, _)) = documents.first().copied() else {
-        return Err(Refusal::Unknown);
+    let Some((format, first)) = documents.first().copied() else {
+        return Err(unknown(files));
     };
+    if documents.iter().any(|(format, _)| *format == Format::OpenCv) {
+        // Arrays of NumPy have the same names.
+        let arrays = documents.iter_mut().filter(|(format, _)| *format == Format::NumPy);
+        arrays.for_each(|(format, _)| *format = Format::OpenCv);
+    }
+    let format = documents.first().map_or(format, |(format, _)| *format);
     if let Some((other, _)) = documents.iter().find(|(other, _)| *other != format) {
         return Err(Refusal::Mixed { formats: [format, *other] });
     }
@@ -76,6 +98,12 @@ fn of_trees(files: &[File]) -> Result<Found, Refusal> {
         Format::Kalibr => kalibr::read(&documents),
         Format::OrbSlam => orbslam::read(&documents),
         Format::Ros => ros::read(&documents),
+        Format::Ftc => ftc::read(first),
+        Format::Vins => vins::read(&documents),
+        Format::DepthAi => depth_ai::read(first),
+        Format::Transforms => transforms::read(first),
+        Format::Intrinsics => intrinsics::read(&documents),
+        Format::NumPy => numpy::read(&documents),
         _ => opencv::read(&documents),
     }
 }
@@ -83,6 +111,18 @@ fn of_trees(files: &[File]) -> Result<Found, Refusal> {
 /// Whose file a document is, by what only they write.
 fn format_of(document: &Node) -> Option<Format> {
     let has = |key: &str| document.get(key).is_some();
+    if has(FTC_ROOT) {
+        return Some(Format::Ftc);
+    }
+    if depth_ai::is_depth_ai(document) {
+        return Some(Format::DepthAi);
+    }
+    if vins::is_vins(document) {
+        return Some(Format::Vins);
+    }
+    if transforms::is_transforms(document) {
+        return Some(Format::Transforms);
+    }
     if has("T_BS") || has("sensor_type") {
         return Some(Format::Euroc);
     }
@@ -92,8 +132,23 @@ fn format_of(document: &Node) -> Option<Format> {
     if has("Camera.fx") || has("Camera1.fx") {
         return Some(Format::OrbSlam);
     }
+    if intrinsics::is_intrinsics(document) {
+        return Some(Format::Intrinsics);
+    }
     if has("projection_matrix") || has("distortion_model") || has("rectification_matrix") {
         return Some(Format::Ros);
     }
-    opencv_names::is_known(document).then_some(Format::OpenCv)
+    let format = if document.place.line == 0 { Format::NumPy } else { Format::OpenCv };
+    opencv_names::is_known(document).then_some(format)
+}
+
+fn unknown(files: &[File]) -> Refusal {
+    let is_array = |file: &File| matches!(file, File::Trees(all) if all.iter().any(|document| document.get(numpy::OTHER).is_some()));
+    if files.iter().any(is_array) {
+        return Refusal::Other {
+            what: "an array of NumPy that is no camera matrix",
+            todo: "Give the one of 3 × 3 numbers, whose last row is 0 0 1.",
+        };
+    }
+    Refusal::Unknown
 }

@@ -2,6 +2,7 @@
 //!
 //! Source: the samples of OpenCV, `stereo_calib.cpp`; `P2[0][3] = −fx·b`, in the unit of the board.
 
+use super::baseline::{bare, with_unit};
 use super::matrix::{Projection, how, of_matrix, place_pair, size};
 use super::opencv_names::{Matrices, Part, SIZES, SQUARES, TRANSLATIONS, WIDTHS, find, parts};
 use crate::checks::{camera, contradict, in_file_units, read_doffs, unusable};
@@ -11,7 +12,6 @@ use crate::geometry::length;
 use crate::node::Node;
 use crate::place::Origin;
 use crate::refusal::Refusal;
-use depth_core::quantity::{Length, LengthUnit};
 
 const FORMAT: Format = Format::OpenCv;
 type Parts<'a> = [Part<'a>];
@@ -26,8 +26,10 @@ pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
     if found.cameras.len() == 2 && found.pair.is_none() {
         found.pair = Some([0, 1]);
     }
-    if let Some((known, origin)) = known_baseline(&parts)? {
+    if let Some((known, origin)) = with_unit(&parts, FORMAT)? {
         found.measure(Some(known), origin);
+    } else if let Some((baseline, origin)) = bare_baseline(&mut found, &parts)? {
+        found.measure(Some(baseline), origin);
     } else if found.baseline.is_none() && found.cameras.len() == 1 {
         found.warnings.push(Warning::NoBaseline { format: FORMAT });
     } else if found.baseline.is_none() && found.warnings.iter().all(|one| matches!(one, Warning::Raw { .. })) {
@@ -128,20 +130,12 @@ fn read_translation(found: &mut Found, parts: &Parts<'_>) -> Result<(), Refusal>
     Ok(())
 }
 
-/// A baseline whose key names its unit.
-fn known_baseline(parts: &Parts<'_>) -> Result<Option<(Baseline, Origin)>, Refusal> {
-    let units = [
-        ("baselinemm", LengthUnit::Millimeter),
-        ("baselinecm", LengthUnit::Centimeter),
-        ("baselinem", LengthUnit::Meter),
-    ];
-    for (name, unit) in units {
-        if let Some(part) = find(parts, &[name]) {
-            let value = part.node.number(FORMAT, &part.name)?.abs();
-            return Ok((value > 0.0).then(|| (Baseline::Known(Length::new(value, unit)), part.origin())));
-        }
+/// A baseline without a unit, where no matrix has said one.
+fn bare_baseline(found: &mut Found, parts: &Parts<'_>) -> Result<Option<(Baseline, Origin)>, Refusal> {
+    if found.baseline.is_some() {
+        return Ok(None);
     }
-    Ok(None)
+    bare(parts, FORMAT, &mut found.warnings)
 }
 
 fn read_size(parts: &Parts<'_>) -> Result<Option<[u32; 2]>, Refusal> {
