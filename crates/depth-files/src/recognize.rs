@@ -3,7 +3,6 @@
 use crate::carrier::{File, LARGEST, of_xml, text};
 use crate::format::Format;
 use crate::formats::{is_bouguet, is_colmap, is_foundation_stereo, is_kitti, is_numpy, numpy};
-use crate::node::Node;
 use crate::refusal::Refusal;
 use crate::text::lines;
 use crate::yaml;
@@ -38,11 +37,8 @@ pub(crate) fn read(bytes: &[u8], file: usize) -> Result<File, Refusal> {
         return Ok(File::Lines(format, text));
     }
     let documents = yaml::documents(&text, file)?;
-    let is_map = |node: &Node| node.entries().next().is_some();
-    let has_maps = documents
-        .iter()
-        .any(|document| is_map(document) || document.items().iter().any(is_map));
-    if has_maps {
+    // Prose is a text of YAML.
+    if documents.iter().any(|document| document.text().is_none()) {
         Ok(File::Trees(documents))
     } else {
         Err(Refusal::Unknown)

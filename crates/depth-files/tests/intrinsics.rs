@@ -118,6 +118,9 @@ fn nine_numbers_and_a_baseline_below_them_are_a_rectified_camera_in_meters() {
     assert_eq!(pinhole(&alone.cameras[0]), [319.575, 417.475, 320.25, 244.375]);
     assert!(alone.baseline.is_none() && !alone.is_rectified());
     assert!(said(&found(&["foundation_stereo/baseline_in_mm.txt"])).contains("63 m is implausible"));
+    // As NumPy prints it.
+    let printed = read(&[b"[[700.5   0.  320. ]\n [  0.  701.  240. ]\n [  0.    0.    1. ]]\n"]).unwrap();
+    assert_eq!(pinhole(&printed.cameras[0]), [700.5, 701.0, 320.0, 240.0]);
     let sentence = refused(&["foundation_stereo/two_matrices.txt"]);
     assert!(sentence.contains("line 2") && sentence.contains("9 numbers"), "{sentence}");
 }

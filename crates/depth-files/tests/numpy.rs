@@ -79,6 +79,24 @@ fn pickles_are_refused_with_the_line_that_exports_them() {
     // What that line writes of the two, by Python.
     let exported = br#"{"mtx": [[712.5, 0, 331.25], [0, 713.75, 244.5], [0, 0, 1]]}"#;
     assert_eq!(pinhole(&read(&[exported]).unwrap().cameras[0]), LEFT);
+    // And of what the tutorial saves, (mtx, dist), and of a dictionary in which it is.
+    let list = br#"[[[712.5, 0.0, 331.25], [0.0, 713.75, 244.5], [0.0, 0.0, 1.0]], [[0.0, 0.0, 0.0, 0.0, 0.0]]]"#;
+    let map = [b"{\"calibration\": ", list.as_slice(), b"}"].concat();
+    for exported in [list.as_slice(), &map] {
+        let one = read(&[exported]).unwrap();
+        assert_eq!((one.format, pinhole(&one.cameras[0])), (Format::OpenCv, LEFT));
+    }
+}
+
+#[test]
+fn a_matrix_without_a_name_goes_with_extrinsics() {
+    let extrinsics = b"T: [ -60., 0.5, 0. ]\n";
+    let (left, right) = (bytes("numpy/matrix_by_columns.npy"), bytes("numpy/matrix_right.npy"));
+    let pair = read(&[extrinsics, &left, &right]).unwrap();
+    assert_eq!(pair.cameras.iter().map(pinhole).collect::<Vec<_>>(), [LEFT, RIGHT]);
+    assert!((value(&pair) - 60.002_083_297_165_605).abs() < 1e-12);
+    // Of three nobody knows which are meant.
+    assert!(read(&[&left, &right, &left]).is_err());
 }
 
 #[test]

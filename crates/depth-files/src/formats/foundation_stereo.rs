@@ -12,17 +12,19 @@ use crate::text::{Line, lines};
 
 const FORMAT: Format = Format::FoundationStereo;
 
-/// Whether there are only numbers, of which the first nine are a camera matrix.
+/// Whether there are only numbers, of which the first nine, in one line or in three, are a camera matrix. A list of JSON is none, what NumPy
+/// prints is one.
 pub(crate) fn is_foundation_stereo(text: &str) -> bool {
-    let rows = rows(text);
-    let first: Option<Vec<Vec<f64>>> = rows.iter().take(3).map(|line| numbers(line.text)).collect();
-    let is_all_numbers = || rows.iter().all(|line| numbers(line.text).is_some());
-    let is_matrix = |first: Vec<Vec<f64>>| matches!(first.concat().as_slice(), [f, _, _, zero, g, _, a, b, one, ..] if is_k([*f, *g], [*zero, *a, *b, *one]));
-    first.is_some_and(is_matrix) && is_all_numbers()
-}
-
-fn is_k(focal: [f64; 2], rest: [f64; 4]) -> bool {
-    rest == [0.0, 0.0, 0.0, 1.0] && focal.iter().all(|one| one.abs() > 1.0)
+    let is_json = text.trim_start().starts_with('[') && text.contains(',');
+    let all: Option<Vec<Vec<f64>>> = rows(text).iter().map(|line| numbers(line.text)).collect();
+    let Some(all) = all.filter(|_| !is_json) else { return false };
+    let first: Vec<f64> = match all.as_slice() {
+        [first, ..] if first.len() == 9 => first.clone(),
+        [a, b, c, ..] if [a, b, c].iter().all(|row| row.len() == 3) => [a.as_slice(), b, c].concat(),
+        _ => return false,
+    };
+    matches!(first.as_slice(), [fx, _, _, zero, fy, _, a, b, one]
+        if [*zero, *a, *b, *one] == [0.0, 0.0, 0.0, 1.0] && fx.abs() > 1.0 && fy.abs() > 1.0)
 }
 
 /// The lines that are no remark.
@@ -34,9 +36,8 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
     let rows = rows(text);
     let mut found = Found::of(FORMAT);
     let Some(first) = rows.first() else { return Err(Refusal::Empty) };
-    // In one line, or in three.
-    let count = numbers(first.text).map_or(0, |row| row.len());
-    let (matrix, rest) = rows.split_at_checked(if count >= 9 { 1 } else { 3 }).unwrap_or((&rows, &[]));
+    let is_one_line = numbers(first.text).is_some_and(|row| row.len() == 9);
+    let (matrix, rest) = rows.split_at_checked(if is_one_line { 1 } else { 3 }).unwrap_or((&rows, &[]));
     let matrix: Vec<&str> = matrix.iter().map(|line| line.text).collect();
     let pinhole = of_matrix(first.array(&matrix.join(" "), FORMAT, "K", "9")?);
     // What follows K are images of a rectified pair.

@@ -20,6 +20,7 @@ mod orbslam;
 mod realsense;
 mod ros;
 mod transforms;
+mod unnamed;
 mod vins;
 mod zed;
 
@@ -80,15 +81,22 @@ fn of_trees(files: &[File]) -> Result<Found, Refusal> {
             }
         }
     }
-    let Some((format, first)) = documents.first().copied() else {
-        return Err(unknown(files));
+    let is_without_matrix =
+        |(format, document): &(Format, &Node)| matches!(format, Format::OpenCv | Format::NumPy) && !opencv_names::has_matrix(document);
+    let unnamed = if documents.iter().all(is_without_matrix) {
+        unnamed::matrices(all_documents(files))
+    } else {
+        Vec::new()
     };
+    documents.extend(unnamed.iter().map(|document| (opencv_format(document), document)));
     if documents.iter().any(|(format, _)| *format == Format::OpenCv) {
         // Arrays of NumPy have the same names.
         let arrays = documents.iter_mut().filter(|(format, _)| *format == Format::NumPy);
         arrays.for_each(|(format, _)| *format = Format::OpenCv);
     }
-    let format = documents.first().map_or(format, |(format, _)| *format);
+    let Some((format, first)) = documents.first().copied() else {
+        return Err(unknown(files));
+    };
     if let Some((other, _)) = documents.iter().find(|(other, _)| *other != format) {
         return Err(Refusal::Mixed { formats: [format, *other] });
     }
@@ -138,13 +146,23 @@ fn format_of(document: &Node) -> Option<Format> {
     if has("projection_matrix") || has("distortion_model") || has("rectification_matrix") {
         return Some(Format::Ros);
     }
-    let format = if document.place.line == 0 { Format::NumPy } else { Format::OpenCv };
-    opencv_names::is_known(document).then_some(format)
+    opencv_names::is_known(document).then_some(opencv_format(document))
+}
+
+/// Arrays of NumPy have no lines.
+const fn opencv_format(document: &Node) -> Format {
+    if document.place.line == 0 { Format::NumPy } else { Format::OpenCv }
+}
+
+fn all_documents(files: &[File]) -> impl Iterator<Item = &Node> {
+    files.iter().flat_map(|file| match file {
+        File::Lines(..) => &[],
+        File::Trees(all) => all.as_slice(),
+    })
 }
 
 fn unknown(files: &[File]) -> Refusal {
-    let is_array = |file: &File| matches!(file, File::Trees(all) if all.iter().any(|document| document.get(numpy::OTHER).is_some()));
-    if files.iter().any(is_array) {
+    if all_documents(files).any(|document| document.get(numpy::OTHER).is_some()) {
         return Refusal::Other {
             what: "an array of NumPy that is no camera matrix",
             todo: "Give the one of 3 × 3 numbers, whose last row is 0 0 1.",

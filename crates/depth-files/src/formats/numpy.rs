@@ -5,6 +5,7 @@
 
 use super::opencv;
 use super::opencv_names::is_known;
+use super::unnamed::matrices;
 use crate::binary::OF_OBJECTS;
 use crate::format::Format;
 use crate::found::{Found, Warning};
@@ -22,8 +23,7 @@ const ENOUGH: usize = 16 << 10;
 const MOST_NUMBERS: usize = 100;
 /// No archive of a calibration has more arrays.
 const MOST_ARRAYS: usize = 200;
-/// What an array without a name is called.
-const MATRIX: &str = "K";
+/// What an array in a file of its own is called.
 pub(super) const OTHER: &str = "an array without a name";
 
 pub(crate) fn is_numpy(bytes: &[u8]) -> bool {
@@ -39,8 +39,8 @@ pub(crate) fn document(bytes: &[u8], file: usize) -> Result<Node, Refusal> {
         arrays(bytes)?
     };
     let has_objects = arrays.iter().any(|(_, array)| matches!(array, Array::Objects));
-    let node = named(&arrays, place);
-    if has_objects && !is_known(&node) {
+    let node = map(&arrays, place);
+    if has_objects && !is_known(&node) && matrices([&node].into_iter()).is_empty() {
         return Err(Refusal::Other {
             what: "a file of NumPy with Python objects (a pickle), not with numbers",
             todo: OF_OBJECTS,
@@ -50,24 +50,7 @@ pub(crate) fn document(bytes: &[u8], file: usize) -> Result<Node, Refusal> {
 }
 
 pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
-    // Two matrices without names are those of the first and of the second camera.
-    let bare = |document: &Node| document.get(MATRIX).is_some() && document.entries().count() == 1;
-    let is_pair = documents.iter().filter(|document| bare(document)).count() == 2;
-    let mut number = 0;
-    let renamed = |document: &&Node| {
-        let mut document = (*document).clone();
-        if is_pair
-            && bare(&document)
-            && let Value::Map(entries) = &mut document.value
-        {
-            number += 1;
-            entries.iter_mut().for_each(|(name, _)| *name = format!("{MATRIX}{number}"));
-        }
-        document
-    };
-    let documents: Vec<Node> = documents.iter().map(renamed).collect();
-    let documents: Vec<&Node> = documents.iter().collect();
-    let mut found = opencv::read(&documents).map_err(|refusal| refusal.of(FORMAT))?;
+    let mut found = opencv::read(documents).map_err(|refusal| refusal.of(FORMAT))?;
     found.format = FORMAT;
     for warning in &mut found.warnings {
         if let Warning::Raw { format } | Warning::NoBaseline { format } = warning {
@@ -89,53 +72,23 @@ enum Array {
     Others,
 }
 
-impl Array {
-    /// Whether it may be a camera matrix: (fx s cx; 0 fy cy; 0 0 1).
-    fn is_matrix(&self) -> bool {
-        let Self::Numbers { all, .. } = self else { return false };
-        let numbers: Vec<f64> = all.iter().filter_map(|text| text.parse().ok()).collect();
-        let [fx, _, _, a, fy, _, b, c, d] = numbers.as_slice() else {
-            return false;
-        };
-        [*a, *b, *c, *d] == [0.0, 0.0, 0.0, 1.0] && *fx > 1.0 && *fy > 1.0
-    }
-}
-
-/// The arrays as a map. Where no name is known, `np.savez` was called without any (`arr_0`), and a camera matrix is found by its numbers.
-fn named(arrays: &[(String, Array)], place: Place) -> Node {
-    let node = |array: &Array| {
-        let text = |text: &String| Node {
-            place,
-            value: Value::Text(text.clone()),
-        };
+/// The arrays as a map.
+fn map(arrays: &[(String, Array)], place: Place) -> Node {
+    let text = |text: &String| Node {
+        place,
+        value: Value::Text(text.clone()),
+    };
+    let entries = arrays.iter().filter_map(|(name, array)| {
         let value = match array {
             Array::Numbers { all, is_list: true } => Value::List(all.iter().map(text).collect()),
             Array::Numbers { all, .. } => Value::Text(all.concat()),
             Array::Many(count) => Value::Text(count.clone()),
             Array::Objects | Array::Others => return None,
         };
-        Some(Node { place, value })
-    };
-    let map = |entries| Node {
-        place,
-        value: Value::Map(entries),
-    };
-    let entries = arrays.iter().filter_map(|(name, array)| Some((name.clone(), node(array)?)));
-    let all = map(entries.collect());
-    if is_known(&all) {
-        return all;
-    }
-    let matrices: Vec<&(String, Array)> = arrays.iter().filter(|(_, array)| array.is_matrix()).collect();
-    let names: &[&str] = match matrices.len() {
-        1 => &[MATRIX],
-        2 => &["K1", "K2"],
-        _ => return all,
-    };
-    let entries = names
-        .iter()
-        .zip(matrices)
-        .filter_map(|(name, (_, array))| Some(((*name).to_owned(), node(array)?)));
-    map(entries.collect())
+        Some((name.clone(), Node { place, value }))
+    });
+    let value = Value::Map(entries.collect());
+    Node { place, value }
 }
 
 fn damaged(reason: impl ToString) -> Refusal {
