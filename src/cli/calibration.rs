@@ -3,8 +3,20 @@
 use super::ascii::in_sentence;
 use super::file;
 use crate::core::quantity::{Length, LengthUnit};
-use depth_files::{Found, Warning};
+use clap::Args;
+use depth_files::Found;
 use std::path::PathBuf;
+
+/// What is asked of a file by every command that answers with what is in it.
+#[derive(Clone, Copy, Debug, Args)]
+pub(super) struct FileOptions {
+    /// What one unit is of a file that does not say its unit: 1mm, or 25mm where the board had squares of 25 mm
+    #[arg(long, value_name = "LENGTH", value_parser = file_unit)]
+    pub(super) file_unit: Option<Length>,
+    /// Answer in JSON: lengths in meters, null for what is unknown
+    #[arg(long)]
+    pub(super) json: bool,
+}
 
 /// Files of one calibration.
 #[derive(Clone, Debug)]
@@ -13,6 +25,8 @@ pub(super) struct Calibration {
     pub(super) files: Vec<PathBuf>,
     /// What one unit is of a file that does not say it.
     pub(super) file_unit: Option<Length>,
+    /// The camera of them, or the pair, that is meant: none for the one that is taken first.
+    pub(super) cameras: Vec<String>,
 }
 
 /// What `1mm`, `25 mm` or `mm` is, the unit of a file.
@@ -35,14 +49,25 @@ impl Calibration {
     /// What the files say, or one sentence that says why they say nothing.
     pub(super) fn found(&self) -> Result<Found, String> {
         let files = self.files.iter().map(|path| file::bytes(path)).collect::<Result<Vec<_>, _>>()?;
+        let files: Vec<&[u8]> = files.iter().map(Vec::as_slice).collect();
+        let mut found = depth_files::read(&files).map_err(|refusal| self.sentence(|names| refusal.sentence(names)))?;
+        if !self.cameras.is_empty() {
+            let cameras: Vec<&str> = self.cameras.iter().map(String::as_str).collect();
+            found = found
+                .choose_named(&cameras)
+                .map_err(|refusal| self.sentence(|names| refusal.sentence(names)))?;
+        }
+        Ok(match self.file_unit {
+            Some(unit) => found.in_unit(unit),
+            None => found,
+        })
+    }
+
+    /// A sentence in which the files have their names.
+    pub(super) fn sentence(&self, of: impl Fn(&[&str]) -> String) -> String {
         let names: Vec<String> = self.files.iter().map(|path| path.display().to_string()).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        let files: Vec<&[u8]> = files.iter().map(Vec::as_slice).collect();
-        let mut found = depth_files::read(&files).map_err(|refusal| in_sentence(&refusal.sentence(&names)))?;
-        if self.file_unit.is_some() {
-            found.warnings.retain(|warning| !matches!(warning, Warning::UnitUnknown { .. }));
-        }
-        Ok(found)
+        in_sentence(&of(&names))
     }
 }
 

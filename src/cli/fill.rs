@@ -1,6 +1,5 @@
 //! What calibration files fill in beside the options.
 
-use super::ascii::in_sentence;
 use super::calibration::Calibration;
 use super::options::Typed;
 use crate::core::setup::{Object, Pair};
@@ -58,13 +57,16 @@ pub(super) fn fill(
                     Warning::NoBaseline { .. } | Warning::NoExtrinsics | Warning::OneOfPair { .. }
                 )
         })
-        .map(|warning| in_sentence(&warning.to_string()))
+        .map(|warning| calibration.sentence(|names| warning.sentence(names)))
         .collect();
     if is_stereo && found.baseline.is_some() && found.doffs.is_none() && !has_doffs {
         said.push("doffs is not in it and is counted as 0: give the file of the other camera as well, or --doffs.".to_owned());
     }
     if let Some(first) = first.filter(|_| found.cameras.len() > 2 || found.cameras.len() == 2 && found.pair.is_none()) {
-        said.push(format!("The focal length is that of {}; --fx says another.", first.name));
+        said.push(format!(
+            "The focal length is that of {}; --camera chooses another, and --fx says one.",
+            first.name
+        ));
     }
     Ok(said)
 }

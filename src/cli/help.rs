@@ -81,17 +81,20 @@ Example:
       --cy 245.52 --from 138,219,36 --to 264,216,30 --sigma-disparity 0.5
       0.312 m, give or take 0.011 m";
 
-/// Of `q`.
+/// Of `import`.
 pub(super) const IMPORT: &str = "\
 A file is recognized by what is in it. Where it does not say its unit, as
 those of OpenCV do not, --file-unit does: 1mm, or 25mm for squares of 25 mm.
+Where it has several cameras or pairs, --camera chooses.
 `calculate --from FILE...` takes fx, baseline and doffs from it.
 
 Examples:
   depth-calculator import extrinsics.yml intrinsics.yml --file-unit 1mm
   depth-calculator import cam0/sensor.yaml cam1/sensor.yaml --json
+  depth-calculator import SN1234.conf --camera 'left HD,right HD'
   depth-calculator calculate --from calib.txt --disparity 50";
 
+/// Of `q`.
 pub(super) const Q: &str = "\
 The matrix is read from a calibration file of OpenCV (YAML, XML, JSON),
 from what numpy or MATLAB print, or from sixteen numbers.

@@ -1,7 +1,6 @@
 //! `import`: what calibration files hold.
 
-use super::ascii::in_sentence;
-use super::calibration::{Calibration, file_unit};
+use super::calibration::{Calibration, FileOptions};
 use super::reply::Reply;
 use crate::core::quantity::Length;
 use clap::{Args, ValueHint};
@@ -17,12 +16,11 @@ pub(super) struct Import {
     /// The files of one calibration: one, or two where there is one for each camera; - for standard input
     #[arg(value_hint = ValueHint::FilePath, required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// What one unit is of a file that does not say its unit: 1mm, or 25mm where the board had squares of 25 mm
-    #[arg(long, value_name = "LENGTH", value_parser = file_unit)]
-    file_unit: Option<Length>,
-    /// Answer in JSON: lengths in meters, null for what is unknown
-    #[arg(long)]
-    json: bool,
+    /// The camera that is meant where there are several, or the two of a pair: by what `import` calls them, such as “left HD,right HD”
+    #[arg(long, value_name = "NAME[,NAME]", value_delimiter = ',')]
+    camera: Vec<String>,
+    #[command(flatten)]
+    options: FileOptions,
 }
 
 #[derive(Serialize)]
@@ -77,11 +75,16 @@ impl Import {
     pub(super) fn reply(&self) -> Result<Reply, String> {
         let calibration = Calibration {
             files: self.files.clone(),
-            file_unit: self.file_unit,
+            file_unit: self.options.file_unit,
+            cameras: self.camera.clone(),
         };
         let found = calibration.found()?;
-        let warnings: Vec<String> = found.warnings.iter().map(|warning| in_sentence(&warning.to_string())).collect();
-        if self.json {
+        let warnings: Vec<String> = found
+            .warnings
+            .iter()
+            .map(|one| calibration.sentence(|names| one.sentence(names)))
+            .collect();
+        if self.options.json {
             let text = serde_json::to_string_pretty(&self.answer(found, warnings)).map_err(|error| error.to_string())?;
             return Ok(Reply::without_warnings(text + "\n"));
         }
@@ -128,7 +131,10 @@ impl Import {
         Answer {
             format: found.format.name(),
             cameras: found.cameras.iter().map(camera).collect(),
-            baseline_m: found.baseline.and_then(|baseline| baseline.length(self.file_unit)).map(Length::m),
+            baseline_m: found
+                .baseline
+                .and_then(|baseline| baseline.length(self.options.file_unit))
+                .map(Length::m),
             baseline_file_units: match found.baseline {
                 Some(Baseline::InFileUnits { value, .. }) => Some(value),
                 _ => None,
@@ -166,7 +172,7 @@ impl Import {
                 "{name}{place}: {size}fx {fx} px, fy {fy} px, cx {cx} px, cy {cy} px ({basis}, {origin})"
             );
         }
-        match found.baseline.map(|baseline| (baseline, baseline.length(self.file_unit))) {
+        match found.baseline.map(|baseline| (baseline, baseline.length(self.options.file_unit))) {
             Some((_, Some(length))) => {
                 let _ = writeln!(
                     text,

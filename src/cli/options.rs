@@ -209,9 +209,14 @@ impl Args for Calculate {
         let object = choice("object", Object::ALL.map(Object::key), Object::default().key()).help(
             "What of the object --w-img and --w-real are: heights go with --fy, a ball in the middle of the image counts to its center",
         );
-        command
-            .args(Typed::options(&calculate_fields()))
-            .args([object, pair_option(), solve_for, from_option(), file_unit_option()])
+        command.args(Typed::options(&calculate_fields())).args([
+            object,
+            pair_option(),
+            solve_for,
+            from_option(),
+            camera_option(),
+            file_unit_option(),
+        ])
     }
 
     fn augment_args_for_update(command: Command) -> Command {
@@ -229,6 +234,7 @@ impl FromArgMatches for Calculate {
             calibration: matches.get_many::<PathBuf>("from").map(|files| Calibration {
                 files: files.cloned().collect(),
                 file_unit: matches.get_one::<Length>("file-unit").copied(),
+                cameras: matches.get_many::<String>("camera").into_iter().flatten().cloned().collect(),
             }),
         })
     }
@@ -294,6 +300,15 @@ fn from_option() -> Arg {
         .value_parser(ValueParser::path_buf())
         .value_hint(ValueHint::FilePath)
         .help("Calibration files that fx, baseline and doffs are taken from, where they are not given; - is standard input. See import")
+}
+
+fn camera_option() -> Arg {
+    Arg::new("camera")
+        .long("camera")
+        .value_name("NAME[,NAME]")
+        .value_delimiter(',')
+        .requires("from")
+        .help("Which camera of the calibration files is meant where there are several, or which two: by what import calls them")
 }
 
 fn file_unit_option() -> Arg {

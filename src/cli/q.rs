@@ -1,11 +1,10 @@
 //! `q`: what a Q matrix holds.
 
 use super::ascii::in_sentence;
-use super::calibration::file_unit;
+use super::calibration::FileOptions;
 use super::file;
 use super::reply::Reply;
 use crate::core::q_matrix::StereoGeometry;
-use crate::core::quantity::Length;
 use clap::{Args, ValueHint};
 use depth_text::note::Issue;
 use depth_text::number::{Notation, TYPED_DIGITS};
@@ -20,12 +19,8 @@ pub(super) struct Q {
     /// The file that the matrix is in; - for standard input
     #[arg(value_hint = ValueHint::FilePath)]
     file: PathBuf,
-    /// What one unit of the calibration is, which a Q matrix does not say: 1mm, or 25mm for squares of 25 mm
-    #[arg(long, value_name = "LENGTH", value_parser = file_unit)]
-    file_unit: Option<Length>,
-    /// Answer in JSON: the baseline as the matrix has it, and in meters where --file-unit is given
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    options: FileOptions,
 }
 
 #[derive(Serialize)]
@@ -45,8 +40,8 @@ impl Q {
         let geometry = q_matrix::read(&self.text()?).map_err(|issue| in_sentence(&issue.to_string()))?;
         let swapped = geometry.swapped.then(|| in_sentence(&Issue::QMatrixSwapped.to_string()));
         let warnings: Vec<String> = swapped.into_iter().collect();
-        let baseline_m = self.file_unit.map(|unit| unit.m() * geometry.baseline);
-        if self.json {
+        let baseline_m = self.options.file_unit.map(|unit| unit.m() * geometry.baseline);
+        if self.options.json {
             let answer = Answer {
                 fx: geometry.focal_length.px(),
                 baseline: geometry.baseline,
@@ -65,7 +60,7 @@ impl Q {
 
     fn lines(&self, geometry: &StereoGeometry) -> String {
         let number = |value: f64| Notation::LONG.plain(value, TYPED_DIGITS);
-        let (baseline, unit) = match self.file_unit {
+        let (baseline, unit) = match self.options.file_unit {
             Some(unit) => (unit.m() * geometry.baseline * 1000.0, "mm"),
             None => (geometry.baseline, "(in the unit of the calibration)"),
         };

@@ -115,3 +115,49 @@ fn what_a_file_says_of_its_pair_is_not_ignored() {
     let said = refused(&format!("calculate --from {FILES}/orbslam2_bf_zero.yaml --disparity 50"));
     assert!(said.contains("--baseline") && said.contains("single camera"), "{said}");
 }
+
+#[test]
+fn each_number_is_said_with_where_it_comes_from() {
+    let (left, right) = (
+        format!("{FILES}/ros_topic_echo2_left.yaml"),
+        format!("{FILES}/ros_topic_echo2_right.yaml"),
+    );
+    let (out, _) = text(&format!("import {left} {right}"));
+    let baseline = out.iter().find(|line| line.starts_with("baseline")).unwrap();
+    assert!(
+        baseline.contains("[0][3] / ") && baseline.ends_with(&format!(" of {right}")),
+        "{baseline}"
+    );
+    let found = answer(&format!("{left} {right}"));
+    assert_eq!(found["baseline_origin"]["file"], right.as_str());
+    assert_eq!(found["cameras"][0]["line"], found["cameras"][0]["origin"]["line"]);
+    assert!(found["cameras"][0]["distortion"].as_array().unwrap().len() >= 4, "{found}");
+    let (out, _) = text(&format!("import {FILES}/middlebury_2021_crlf_no_last_newline.txt"));
+    assert!(
+        out.iter()
+            .any(|line| line.starts_with("baseline 0.1") && line.contains(", baseline, line ")),
+        "{out:?}"
+    );
+}
+
+#[test]
+fn another_camera_or_pair_is_chosen_by_name() {
+    let file = format!("{FILES}/zed_four_modes.conf");
+    let run_of = |names: [&str; 2]| {
+        let output = super::run_words(&["import", &file, "--json", "--camera", &names.join(",")]);
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        serde_json::from_slice::<Value>(&output.stdout).unwrap()
+    };
+    let hd = run_of(["left HD", "right HD"]);
+    assert_eq!(
+        (hd["cameras"].as_array().unwrap().len(), &hd["cameras"][0]["fx"]),
+        (2, &700.25.into())
+    );
+    near(&hd["baseline_m"], 0.119_875);
+    let kitti = format!("{FILES}/kitti_odometry_with_Tr.txt");
+    // 718.875 px * 0.53232 m / 38.2675 px
+    let (out, _) = text(&format!("calculate --from {kitti} --camera 2,3 --disparity 38.26725"));
+    assert!(out.join(" ").contains("10.00 m"), "{out:?}");
+    let said = refused(&format!("calculate --from {kitti} --camera left --disparity 38"));
+    assert!(said.contains("camera 0"), "{said}");
+}

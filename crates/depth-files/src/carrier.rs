@@ -45,9 +45,34 @@ pub(crate) fn text(bytes: &[u8]) -> Result<String, Refusal> {
     if bytes.is_empty() {
         return Err(Refusal::Empty);
     }
+    if let Some(text) = utf_16(bytes) {
+        return Ok(with_plain_ends(text));
+    }
     if let Some(refusal) = binary::refusal(bytes) {
         return Err(refusal);
     }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    Ok(String::from_utf8_lossy(bytes).replace("\r\n", "\n").replace('\r', "\n"))
+    Ok(with_plain_ends(String::from_utf8_lossy(bytes).into_owned()))
+}
+
+fn with_plain_ends(text: String) -> String {
+    if text.contains('\r') {
+        text.replace("\r\n", "\n").replace('\r', "\n")
+    } else {
+        text
+    }
+}
+
+/// The text of a file that says by its first two bytes that it is in UTF-16, as PowerShell and Notepad write.
+fn utf_16(bytes: &[u8]) -> Option<String> {
+    let (pair, rest): (fn([u8; 2]) -> u16, _) = match bytes {
+        [0xff, 0xfe, rest @ ..] => (u16::from_le_bytes, rest),
+        [0xfe, 0xff, rest @ ..] => (u16::from_be_bytes, rest),
+        _ => return None,
+    };
+    let (units, _) = rest.as_chunks::<2>();
+    let text: String = char::decode_utf16(units.iter().map(|unit| pair(*unit)))
+        .map(|one| one.unwrap_or(char::REPLACEMENT_CHARACTER))
+        .collect();
+    (!text.contains('\0')).then_some(text)
 }

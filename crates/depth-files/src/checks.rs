@@ -1,9 +1,13 @@
 //! What is wrong with numbers that can be read.
 
+use crate::baseline::{Baseline, Guess};
+use crate::camera::{Basis, Camera};
 use crate::format::Format;
-use crate::found::{Baseline, Basis, Camera, Found, Guess, Warning};
+use crate::found::Found;
 use crate::place::Origin;
 use crate::refusal::Refusal;
+use crate::sentences::shown;
+use crate::warning::{Statement, Warning};
 use depth_core::quantity::{Length, LengthUnit, Pixels};
 
 /// A focal length lies between these parts of the width of its image: 136° to 2.9°.
@@ -90,7 +94,28 @@ pub(crate) fn unusable([fx, fy, cx, cy]: Pinhole, size: Option<[u32; 2]>) -> Opt
     None
 }
 
-/// Adds to `found` what follows from its numbers alone.
+/// Images side by side are at least so many times as wide as high.
+const SIDE_BY_SIDE: f64 = 2.2;
+
+/// Halves the width of images that lie side by side in one: the principal point is in the middle of the left half.
+pub(crate) fn split_sides(found: &mut Found) {
+    let of_both = |camera: &Camera| {
+        let [width, height] = camera.size?;
+        let [at, down] = [camera.cx.px() / f64::from(width), camera.cy.px() / f64::from(height)];
+        let is_wide = f64::from(width) > SIDE_BY_SIDE * f64::from(height) && width.is_multiple_of(2);
+        (is_wide && (0.2..0.3).contains(&at) && (0.3..0.7).contains(&down)).then_some([width, height])
+    };
+    let sizes: Option<Vec<[u32; 2]>> = found.cameras.iter().map(of_both).collect();
+    let Some(size) = sizes.and_then(|sizes| sizes.first().copied()) else {
+        return;
+    };
+    found.warnings.push(Warning::SideBySide { size });
+    for camera in &mut found.cameras {
+        camera.size = camera.size.map(|[width, height]| [width / 2, height]);
+    }
+}
+
+/// Adds to `found` what follows from its numbers alone, and leaves out what is said twice.
 pub(crate) fn remark(found: &mut Found) {
     let mut warnings = Vec::new();
     for camera in &found.cameras {
@@ -111,16 +136,41 @@ pub(crate) fn remark(found: &mut Found) {
     }
     match found.baseline {
         Some(Baseline::InFileUnits { value, guess }) => warnings.push(Warning::UnitUnknown { value, guess }),
-        Some(Baseline::Known(baseline)) => {
-            let [least, most] = BASELINES_M;
-            if baseline.m() < least || baseline.m() > most {
-                warnings.push(Warning::Implausible { baseline });
-            }
-        }
+        Some(Baseline::Known(baseline)) => warnings.extend(implausible(baseline)),
         None => {}
     }
-    warnings.dedup();
-    found.warnings.append(&mut warnings);
+    for warning in warnings {
+        if !found.warnings.contains(&warning) {
+            found.warnings.push(warning);
+        }
+    }
+}
+
+/// That a baseline is hardly one of anything, where it is.
+pub(crate) fn implausible(baseline: Length) -> Option<Warning> {
+    let [least, most] = BASELINES_M;
+    let is_plausible = (least..=most).contains(&baseline.m());
+    (!is_plausible).then_some(Warning::Implausible { baseline })
+}
+
+/// Two numbers for the same length agree to this part of them.
+const SAME_LENGTH: f64 = 0.02;
+
+/// Whether two numbers can be of the same length.
+pub(crate) fn agree(one: f64, other: f64) -> bool {
+    (one - other).abs() <= SAME_LENGTH * one.abs().max(other.abs())
+}
+
+/// That two lengths in meters contradict each other, where they do.
+pub(crate) fn same_length((used, origin): (f64, &Origin), (other, other_origin): (f64, &Origin)) -> Option<Warning> {
+    let say = |meters: f64, origin: &Origin| Statement {
+        value: format!("{} m", shown(meters)),
+        origin: origin.clone(),
+    };
+    (!agree(used, other)).then(|| Warning::Contradiction {
+        used: say(used, origin),
+        other: say(other, other_origin),
+    })
 }
 
 /// A baseline of `value` in a unit that the file does not say.

@@ -30,14 +30,7 @@ impl Transform {
         })
     }
 
-    /// Where the origin of the other frame is in the first: −Rᵀ·t.
-    pub(crate) fn origin(self) -> Vector {
-        let [[a, b, c], [d, e, f], [g, h, i]] = self.rotation;
-        let [x, y, z] = self.shift;
-        [-(a * x + d * y + g * z), -(b * x + e * y + h * z), -(c * x + f * y + i * z)]
-    }
-
-    /// The way back: Rᵀ and −Rᵀ·t.
+    /// The way back, of a rotation that is one: (Rᵀ, −Rᵀ·t).
     pub(crate) fn inverse(self) -> Self {
         let [[a, b, c], [d, e, f], [g, h, i]] = self.rotation;
         Self {
@@ -46,16 +39,27 @@ impl Transform {
         }
     }
 
-    /// First `first`, then this.
-    pub(crate) fn after(self, first: Self) -> Self {
-        let turned = |[x, y, z]: Vector| self.rotation.map(|[a, b, c]| a * x + b * y + c * z);
-        let [[a, b, c], [d, e, f], [g, h, i]] = first.rotation;
-        let [[a, b, c], [d, e, f], [g, h, i]] = [[a, d, g], [b, e, h], [c, f, i]].map(turned);
-        let ([x, y, z], [u, v, w]) = (turned(first.shift), self.shift);
+    /// First `before`, then this one.
+    pub(crate) fn after(self, before: Self) -> Self {
+        let product = |row: Vector, column: Vector| {
+            let ([a, b, c], [x, y, z]) = (row, column);
+            a * x + b * y + c * z
+        };
+        let [[a, b, c], [d, e, f], [g, h, i]] = before.rotation;
+        let columns = [[a, d, g], [b, e, h], [c, f, i]];
+        let [x, y, z] = self.shift;
+        let [u, v, w] = self.rotation.map(|row| product(row, before.shift));
         Self {
-            rotation: [[a, d, g], [b, e, h], [c, f, i]],
-            shift: [x + u, y + v, z + w],
+            rotation: self.rotation.map(|row| columns.map(|column| product(row, column))),
+            shift: [u + x, v + y, w + z],
         }
+    }
+
+    /// Where the origin of the other frame is in the first: −Rᵀ·t.
+    pub(crate) fn origin(self) -> Vector {
+        let [[a, b, c], [d, e, f], [g, h, i]] = self.rotation;
+        let [x, y, z] = self.shift;
+        [-(a * x + d * y + g * z), -(b * x + e * y + h * z), -(c * x + f * y + i * z)]
     }
 }
 

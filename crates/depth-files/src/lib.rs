@@ -6,37 +6,56 @@
 //! assert_eq!(found.baseline.unwrap().length(None).unwrap().m(), 0.1);
 //! ```
 
+mod baseline;
 mod binary;
+mod camera;
 mod carrier;
 mod checks;
+mod choose;
 mod format;
 mod formats;
 mod found;
 mod geometry;
 mod node;
 mod number;
+mod pair;
 mod place;
 mod recognize;
 mod refusal;
+mod remarks;
 mod sentences;
 mod text;
+mod warning;
 mod xml;
 mod yaml;
 
+pub use baseline::{Baseline, Guess};
+pub use camera::{Basis, Camera};
 pub use carrier::LARGEST;
 pub use format::Format;
-pub use found::{Baseline, Basis, Camera, Found, Guess, Warning};
+pub use found::Found;
+pub use pair::Pair;
 pub use place::{Origin, Place};
 pub use refusal::Refusal;
+pub use warning::{Statement, Warning};
 
 /// What `files` say together, each the bytes of one: two where a format keeps the cameras apart.
 ///
 /// # Errors
 /// A [`Refusal`] that says what was recognized, and what keeps it from being read.
 pub fn read(files: &[&[u8]]) -> Result<Found, Refusal> {
-    let files = files.iter().enumerate();
-    let files = files
-        .map(|(file, bytes)| recognize::read(bytes, file))
-        .collect::<Result<Vec<_>, _>>()?;
-    formats::read(&files)
+    let mut twice = Vec::new();
+    let mut all = Vec::new();
+    for (file, bytes) in files.iter().enumerate() {
+        if let Some(first) = files.iter().take(file).position(|other| other == bytes) {
+            twice.push(Warning::SameFile { files: [first, file] });
+            continue;
+        }
+        let read = recognize::read(bytes, file);
+        all.push(read.map_err(|refusal| if files.len() > 1 { refusal.in_file(file) } else { refusal })?);
+    }
+    let mut found = formats::read(&all)?;
+    twice.append(&mut found.warnings);
+    found.warnings = twice;
+    Ok(found)
 }

@@ -2,7 +2,7 @@
 
 use crate::carrier::{File, LARGEST, of_xml, text};
 use crate::format::Format;
-use crate::formats::{is_bouguet, is_colmap, is_foundation_stereo, is_kitti, is_numpy, numpy};
+use crate::formats::{is_bouguet, is_colmap, is_foundation_stereo, is_kitti, is_numpy, is_realsense, numpy};
 use crate::refusal::Refusal;
 use crate::text::lines;
 use crate::yaml;
@@ -50,7 +50,7 @@ fn of_lines(text: &str) -> Option<Format> {
     let all = lines(text).map(|line| line.text);
     let begins = |starts: &dyn Fn(&str) -> bool| all.clone().any(starts);
     let compact = |line: &str| line.replace(' ', "").to_ascii_lowercase();
-    if text.contains("Intrinsic of \"") {
+    if is_realsense(text) {
         return Some(Format::RealSense);
     }
     if begins(&|line| line.starts_with("# oST version")) {

@@ -42,12 +42,43 @@ pub enum Refusal {
     Missing { format: Format, what: &'static str },
     /// A model whose first number is no focal length.
     NotPinhole { format: Format, model: String, place: Place },
+    /// A number that no Q matrix has there.
+    NotQ {
+        format: Format,
+        name: String,
+        place: Place,
+        entry: [usize; 2],
+        found: f64,
+    },
     /// A focal length that none is.
     FocalLength { format: Format, fx: f64, place: Place },
     /// Files that do not go together.
     Mixed { formats: [Format; 2] },
+    /// More cameras than anybody chooses among.
+    ManyCameras { format: Format },
+    /// A second file beside one of a format that has all cameras in one.
+    OneFile { format: Format },
+    /// A name that is not that of one camera.
+    NoSuchCamera { name: String, cameras: Vec<String> },
+    /// More than two cameras, or one of them twice.
+    TwoCameras,
     /// Nothing that is known here.
     Unknown,
+    /// One of the files, counted from 0, cannot be read, and no line of it says why.
+    InFile { file: usize, refusal: Box<Self> },
+}
+
+impl Refusal {
+    /// The same of the `file`th, where it does not say that itself.
+    pub(crate) fn in_file(self, file: usize) -> Self {
+        match self {
+            Self::Syntax { .. } | Self::NotANumber { .. } => self,
+            refusal => Self::InFile {
+                file,
+                refusal: Box::new(refusal),
+            },
+        }
+    }
 }
 
 impl std::error::Error for Refusal {}
@@ -60,6 +91,7 @@ impl Refusal {
             | Self::Count { format, .. }
             | Self::Missing { format, .. }
             | Self::NotPinhole { format, .. }
+            | Self::NotQ { format, .. }
             | Self::FocalLength { format, .. } => *format = other,
             _ => {}
         }

@@ -1,10 +1,11 @@
-//! What is said of calibration files.
+//! Why a calibration cannot be read, in words.
 
-use crate::format::Format;
-use crate::found::{Guess, Warning};
 use crate::place::Place;
 use crate::refusal::Refusal;
 use std::fmt;
+
+/// So many names of cameras are listed where one is not found.
+const SHOWN: usize = 8;
 
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -37,11 +38,29 @@ impl Refusal {
                 "No calibration is recognized in it: there is no camera matrix under a name that OpenCV, ROS, Kalibr, KITTI, COLMAP or others use."
                     .to_owned()
             }
+            Self::InFile { file, refusal } => match names.get(*file) {
+                Some(name) if names.len() > 1 => format!("{name}: {}", refusal.sentence(names)),
+                None if *file > 0 => format!("File {}: {}", file + 1, refusal.sentence(names)),
+                _ => refusal.sentence(names),
+            },
+            Self::OneFile { format } => format!(
+                "{} holds all cameras in one file: give one of these at a time.",
+                upper(format.title())
+            ),
+            Self::NoSuchCamera { name, cameras } => {
+                let more = cameras.len().saturating_sub(SHOWN);
+                let more = if more == 0 { String::new() } else { format!(" and {more} others") };
+                let some: Vec<String> = cameras.iter().take(SHOWN).map(|name| format!("“{name}”")).collect();
+                format!("No camera, or more than one, is meant by “{name}”: there are {}{more}.", some.join(", "))
+            }
+            Self::TwoCameras => "One camera is chosen, or two that are a pair.".to_owned(),
             Self::NotANumber { format, .. }
             | Self::Count { format, .. }
             | Self::Missing { format, .. }
             | Self::NotPinhole { format, .. }
-            | Self::FocalLength { format, .. } => format!("This is {}, but {}", format.title(), self.but(names)),
+            | Self::NotQ { format, .. }
+            | Self::FocalLength { format, .. }
+            | Self::ManyCameras { format } => format!("This is {}, but {}", format.title(), self.but(names)),
         }
     }
 
@@ -49,7 +68,8 @@ impl Refusal {
     fn but(&self, names: &[&str]) -> String {
         match self {
             Self::NotANumber { name, place, text, .. } => {
-                format!("in {} “{text}” of {name} is not a number.", place.words(names))
+                let hint = decimal_comma(text).map_or_else(String::new, |point| format!(" Write it with a point: {point}."));
+                format!("in {} “{text}” of {name} is not a number.{hint}", place.words(names))
             }
             Self::Count {
                 name,
@@ -57,17 +77,35 @@ impl Refusal {
                 count,
                 expected,
                 ..
-            } => format!("in {} {name} has {count} numbers, not {expected}.", place.words(names)),
+            } => {
+                let is_doubled = expected.parse::<usize>().is_ok_and(|expected| *count == 2 * expected);
+                let hint = if is_doubled {
+                    " If commas are decimal there, write points."
+                } else {
+                    ""
+                };
+                format!("in {} {name} has {count} numbers, not {expected}.{hint}", place.words(names))
+            }
             Self::Missing { what, .. } => format!("it has no {what}."),
             Self::NotPinhole { model, place, .. } => format!(
                 "the model “{model}” in {} is no pinhole: its first number is not a focal length. \
                  Calibrate with a pinhole model, or undistort the images and give the new camera matrix.",
                 place.words(names)
             ),
+            Self::NotQ {
+                name,
+                place,
+                entry: [row, column],
+                found,
+                ..
+            } => format!(
+                "in {} {name}[{row}][{column}] is {found}, which no such matrix has.",
+                place.words(names)
+            ),
             Self::FocalLength { fx, place, .. } => {
                 format!("in {} the focal length {fx} is not a number above zero.", place.words(names))
             }
-            _ => String::new(),
+            _ => "it has more cameras than can be chosen among.".to_owned(),
         }
     }
 }
@@ -91,6 +129,14 @@ impl Place {
     }
 }
 
+/// `700,5` with a point.
+fn decimal_comma(text: &str) -> Option<String> {
+    let (whole, part) = text.split_once(',')?;
+    let are_digits = !part.is_empty() && part.starts_with(|one: char| one.is_ascii_digit());
+    let point = format!("{whole}.{part}");
+    crate::number::number(&point).filter(|_| are_digits).map(|_| point)
+}
+
 /// With a capital letter.
 fn upper(text: &str) -> String {
     let mut all = text.chars();
@@ -98,95 +144,7 @@ fn upper(text: &str) -> String {
         .map_or_else(String::new, |first| first.to_uppercase().chain(all).collect())
 }
 
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::UnitUnknown { value, guess } => {
-                let value = shown(*value);
-                write!(f, "The file does not say in which unit the baseline {value} is: {guess}")
-            }
-            Self::Implausible { baseline } => write!(
-                f,
-                "A baseline of {} m is implausible: check the unit. Most lie between 1 mm and 5 m.",
-                shown(baseline.m())
-            ),
-            Self::RectificationUnusable { why } => write!(
-                f,
-                "The rectification cannot be used: {why}. What was measured of the raw images is taken instead; rectify anew."
-            ),
-            Self::SizeContradicts { principal, side } => write!(
-                f,
-                "The principal point {principal} lies outside of the image, which is {side} pixels in size: the numbers are of another resolution."
-            ),
-            Self::Fisheye { camera, model } => write!(
-                f,
-                "{camera}: {model} is a model of a fisheye lens. Its focal length holds only after the images were undistorted."
-            ),
-            Self::FocalLength { fx, width } => write!(
-                f,
-                "A focal length of {} px is hardly one for an image {width} px wide: is it in mm?",
-                fx.px()
-            ),
-            Self::Doffs { of_file, of_points } => write!(
-                f,
-                "doffs is {} px in the file, but the principal points differ by {} px. The file’s doffs is taken.",
-                shown(of_file.px()),
-                shown(of_points.px())
-            ),
-            Self::Many { cameras, pair: None } => write!(f, "There are {cameras} cameras: choose which."),
-            Self::Many {
-                cameras,
-                pair: Some([left, right]),
-            } => {
-                write!(f, "There are {cameras} cameras: {left} and {right} are taken as the pair.")
-            }
-            Self::OneOfPair { other } => write!(f, "This is one camera of a pair: for the baseline give the file {other} as well."),
-            Self::NoPrincipalPoint { camera } => write!(
-                f,
-                "{camera}: the file has no principal point (cx, cy). The center of the image is taken, from which it may be some percent away."
-            ),
-            _ => f.write_str(self.fixed()),
-        }
-    }
-}
-
-impl Warning {
-    /// The sentence of a warning in which nothing of the file is said.
-    const fn fixed(&self) -> &'static str {
-        match self {
-            Self::Swapped => "Left and right are swapped: the second camera stands at the left. The baseline is taken without its sign.",
-            Self::Vertical => "The cameras stand one above the other: count the disparity in rows, with fy.",
-            Self::ZeroBaseline => "The baseline is zero: these are files of a single camera, or of one camera twice.",
-            Self::NegativeBaseline => "The baseline is negative in the file; it is taken without its sign.",
-            Self::Raw { format } => raw(*format),
-            Self::NoExtrinsics => "The baseline is not in it: give the file of the extrinsics as well.",
-            Self::DepthCamera => "This is an RGB-D camera: its bf is a rounded distance of the projector, not a stereo baseline.",
-            Self::ByDesign => {
-                "The cameras are not calibrated: what is between them is how they were designed (specTranslation), not what was measured."
-            }
-            Self::NoBaseline { .. } => "There is no baseline in it.",
-            _ => "",
-        }
-    }
-}
-
-impl fmt::Display for Guess {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Unit(unit) => write!(f, "probably {}.", unit.symbol()),
-            Self::Squares { size } => write!(f, "probably squares of the board, {size} each in the unit of its maker."),
-        }
-    }
-}
-
-const fn raw(format: Format) -> &'static str {
-    match format {
-        Format::Zed => "The values are of raw images. The SDK rectifies with others: ask it for those.",
-        _ => "The values are of raw images; those of the rectified images, in which disparities are measured, differ.",
-    }
-}
-
 /// A number without what the computer’s arithmetic added to it.
-fn shown(number: f64) -> f64 {
+pub(crate) fn shown(number: f64) -> f64 {
     format!("{number:.8e}").parse().unwrap_or(number)
 }

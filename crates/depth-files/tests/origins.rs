@@ -30,7 +30,11 @@ fn the_baseline_of_each_format_is_said_with_its_line_and_its_formula() {
     for (file, begins, how) in [
         ("middlebury_2021_crlf_no_last_newline.txt", "baseline", "baseline"),
         ("kitti_odometry_with_Tr.txt", "P1", "P1[0][3] / P1[0][0]"),
-        ("kitti_raw_colour_pair_crlf.txt", "P_rect_03", "(P02[0][3] - P03[0][3]) / P03[0][0]"),
+        (
+            "kitti_raw_colour_pair_crlf.txt",
+            "P_rect_03",
+            "(P_rect_02[0][3] - P_rect_03[0][3]) / P_rect_03[0][0]",
+        ),
         ("zed_four_modes.conf", "Baseline", "Baseline"),
         ("orbslam2_stereo_not_real_yaml.yaml", "Camera.bf", "Camera.bf / fx"),
         ("orbslam3_pinhole_T_c1_c2.yaml", "Stereo.T_c1_c2", "|t| of Stereo.T_c1_c2"),

@@ -1,11 +1,12 @@
 //! The baseline under a name of its own.
 
 use super::opencv_names::{Part, find};
+use crate::baseline::Baseline;
 use crate::checks::in_file_units;
 use crate::format::Format;
-use crate::found::{Baseline, Warning};
 use crate::place::Origin;
 use crate::refusal::Refusal;
+use crate::warning::Warning;
 use depth_core::quantity::{Length, LengthUnit};
 
 /// How keys begin that name the baseline, in small letters without `_`.

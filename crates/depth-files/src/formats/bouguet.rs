@@ -4,14 +4,16 @@
 //! its errors that they are “approximately three times the standard deviations”.
 
 use super::matrix::{place_pair, size};
+use crate::camera::{Basis, Camera};
 use crate::checks::{camera, coefficients, in_file_units};
 use crate::format::Format;
-use crate::found::{Basis, Camera, Found, Warning};
+use crate::found::Found;
 use crate::geometry::length;
 use crate::number::numbers;
 use crate::place::Place;
 use crate::refusal::Refusal;
 use crate::text::{Line, lines};
+use crate::warning::Warning;
 use depth_core::quantity::Pixels;
 
 const FORMAT: Format = Format::Bouguet;

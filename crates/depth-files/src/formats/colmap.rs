@@ -3,11 +3,13 @@
 //! Source: COLMAP’s documentation, “Output Format” and “Camera Models”.
 
 use super::matrix::size;
+use crate::camera::{Basis, Camera};
 use crate::checks::{camera, coefficients};
 use crate::format::Format;
-use crate::found::{Basis, Camera, Found, Warning};
+use crate::found::Found;
 use crate::refusal::Refusal;
 use crate::text::{Line, lines};
+use crate::warning::Warning;
 
 const FORMAT: Format = Format::Colmap;
 
@@ -83,17 +85,11 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
         }
         let place = (size(sides), Basis::Raw, line.place.origin(model));
         let distortion = all.get(if is_single { 3 } else { 4 }..).map(<[f64]>::to_vec);
-        found.cameras.push(Camera {
+        found.add(Camera {
             distortion: coefficients(distortion),
             model: Some(model.to_owned()),
             ..camera(FORMAT, &name, pinhole, place)?
-        });
-    }
-    if found.cameras.len() > 1 {
-        found.warnings.push(Warning::Many {
-            cameras: found.cameras.len(),
-            pair: None,
-        });
+        })?;
     }
     found.warnings.push(Warning::NoBaseline { format: FORMAT });
     Ok(found)

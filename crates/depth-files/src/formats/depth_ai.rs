@@ -4,14 +4,18 @@
 //! in the socket `toCameraSocket`.
 
 use super::matrix::{of_matrix, place_pair, size};
+use crate::baseline::Baseline;
+use crate::camera::{Basis, Camera};
 use crate::checks::camera;
 use crate::format::Format;
-use crate::found::{Baseline, Basis, Camera, Found, Warning};
+use crate::found::Found;
 use crate::geometry::{Transform, length};
 use crate::node::Node;
 use crate::place::Place;
 use crate::refusal::Refusal;
+use crate::warning::Warning;
 use depth_core::quantity::{Length, LengthUnit};
+use std::iter;
 
 const FORMAT: Format = Format::DepthAi;
 /// What the sockets are called, by their numbers. Without `stereoRectificationData` the left camera is in the second and the right in the third.
@@ -60,15 +64,20 @@ pub(super) fn read(document: &Node) -> Result<Found, Refusal> {
         found.warnings.push(Warning::NoBaseline { format: FORMAT });
         return Ok(found);
     };
-    found.pair = Some([left, right]);
     found.warnings.push(Warning::Raw { format: FORMAT });
-    read_baseline(&mut found, wanted, &steps)?;
-    if sockets.len() > 2 {
-        let cameras = sockets.len();
-        let pair = found
-            .pair
-            .map(|pair| pair.map(|at| found.cameras.get(at).map(|one| one.name.clone()).unwrap_or_default()));
-        found.warnings.push(Warning::Many { cameras, pair });
+    let all = 0..sockets.len();
+    let others = all
+        .clone()
+        .flat_map(|one| all.clone().filter(move |other| one < *other).map(move |other| [one, other]));
+    let others = others.filter(|pair| *pair != [left, right] && *pair != [right, left]);
+    for pair in iter::once([left, right]).chain(others) {
+        let between = pair.map(|at| sockets.get(at).copied().unwrap_or(-1));
+        found.pair_up(pair, |two| read_baseline(two, between, &steps))?;
+    }
+    found.take_first_pair();
+    if found.pairs.iter().any(|pair| pair.baseline.is_some()) && steps.iter().any(|step| step.has_design) {
+        let why = "specTranslation: it is how the cameras were designed; what was measured is taken";
+        found.ignored.push(why.to_owned());
     }
     Ok(found)
 }
@@ -246,14 +255,9 @@ fn read_baseline(found: &mut Found, [left, right]: [i64; 2], steps: &[Step]) -> 
 /// Takes what leads from the left camera to the right one.
 fn take(found: &mut Found, way: Transform, path: &[&Step]) -> Result<(), Refusal> {
     let shift @ [x, y, _] = way.shift;
-    let [left, right] = found.pair.unwrap_or_default();
-    place_pair(found, [left, right], [-x, -y]);
+    place_pair(found, [0, 1], [-x, -y]);
     if path.iter().any(|step| step.is_by_design) {
         found.warnings.push(Warning::ByDesign);
-    }
-    if path.iter().any(|step| step.has_design) {
-        let why = "specTranslation: it is how the cameras were designed; what was measured is taken";
-        found.ignored.push(why.to_owned());
     }
     let names: Vec<String> = path
         .iter()

@@ -3,12 +3,14 @@
 //! Source: the README of FoundationStereo: “the first line is the flattened 1×9 intrinsic matrix, the second line is the baseline (meter)”.
 
 use super::matrix::of_matrix;
+use crate::camera::Basis;
 use crate::checks::{camera, in_meters};
 use crate::format::Format;
-use crate::found::{Basis, Found, Warning};
+use crate::found::Found;
 use crate::number::numbers;
 use crate::refusal::Refusal;
 use crate::text::{Line, lines};
+use crate::warning::Warning;
 
 const FORMAT: Format = Format::FoundationStereo;
 

@@ -3,13 +3,15 @@
 //! Source: the remarks in that file, in the FtcRobotController of FIRST: names are written `focalLength` or `focal_length`.
 
 use super::matrix::size;
+use crate::camera::{Basis, Camera};
 use crate::checks::{camera, coefficients};
 use crate::format::Format;
-use crate::found::{Basis, Camera, Found, Warning};
+use crate::found::Found;
 use crate::node::Node;
 use crate::number::numbers;
 use crate::refusal::Refusal;
 use crate::text::Line;
+use crate::warning::Warning;
 
 const FORMAT: Format = Format::Ftc;
 /// The first element of such a file.
@@ -30,10 +32,6 @@ pub(super) fn read(document: &Node) -> Result<Found, Refusal> {
             format: FORMAT,
             what: "Calibration outside of its remarks: take away the <!-- and the --> around that of your camera",
         });
-    }
-    if found.cameras.len() > 1 {
-        let cameras = found.cameras.len();
-        found.warnings.push(Warning::Many { cameras, pair: None });
     }
     found.warnings.push(Warning::NoBaseline { format: FORMAT });
     Ok(found)
@@ -60,11 +58,10 @@ fn read_calibration(found: &mut Found, id: &str, node: &Node) -> Result<(), Refu
     let ([fx, fy], [cx, cy]) = (array(node, "focalLength")?, array(node, "principalPoint")?);
     let origin = node.place.origin("focalLength, principalPoint");
     let distortion = get(node, "distortionCoefficients").and_then(Node::text).and_then(numbers);
-    found.cameras.push(Camera {
+    found.add(Camera {
         distortion: coefficients(distortion),
         ..camera(FORMAT, &name, [fx, fy, cx, cy], (size([width, height]), Basis::Raw, origin))?
-    });
-    Ok(())
+    })
 }
 
 /// Two numbers with blanks or commas between them.

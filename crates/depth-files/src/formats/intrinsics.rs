@@ -6,15 +6,17 @@
 
 use super::baseline::{bare, with_unit};
 use super::intrinsics_names::{CX, CY, FOCALS, FX, FY, PRINCIPALS, columns, get, has_focal, size_of};
-use super::matrix::{of_matrix, place_pair};
+use super::matrix::place_pair;
 use super::opencv_names::{Part, TRANSLATIONS, find, has_matrix, parts};
+use crate::camera::{Basis, Camera};
 use crate::checks::{Pinhole, camera, in_file_units, read_doffs};
 use crate::format::Format;
-use crate::found::{Basis, Camera, Found, Warning};
+use crate::found::Found;
 use crate::geometry::length;
 use crate::node::Node;
 use crate::place::Origin;
 use crate::refusal::Refusal;
+use crate::warning::Warning;
 
 const FORMAT: Format = Format::Intrinsics;
 /// So many cameras are listed: a file of all pictures of a scan has thousands, most of them alike.
@@ -86,12 +88,7 @@ pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
     let sided = |wanted: Side| found.cameras.iter().position(|camera| side(&camera.name) == Some(wanted));
     found.pair = sided(Side::Left).zip(sided(Side::Right)).map(|(left, right)| [left, right]);
     read_stereo(&mut found, &parts)?;
-    let cameras = found.cameras.len();
-    if cameras > 1 && !(cameras == 2 && found.pair.is_some()) {
-        let name = |at: usize| found.cameras.get(at).map(|camera| camera.name.clone()).unwrap_or_default();
-        let pair = found.pair.map(|pair| pair.map(name));
-        found.warnings.push(Warning::Many { cameras, pair });
-    }
+    found.tell_apart();
     Ok(found)
 }
 
@@ -118,9 +115,9 @@ fn read_camera(spot: Spot<'_>, documents: &[&Node]) -> Result<(Camera, bool), Re
     let Spot { name, node, around } = spot;
     let size = [node, around].iter().chain(documents).find_map(|node| size_of(node));
     let (pinhole, origin, is_centered) = match columns(node) {
-        Some((key, numbers, matrix)) => {
+        Some((key, pinhole, matrix)) => {
             let origin = matrix.place.origin(format!("{key}, column by column"));
-            (of_matrix(numbers), origin, false)
+            (pinhole, origin, false)
         }
         None => by_names(spot, size)?,
     };

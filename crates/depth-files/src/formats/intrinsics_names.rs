@@ -1,6 +1,7 @@
 //! What people call a focal length, a principal point and the size of an image.
 
-use super::matrix::{is_by_columns, size};
+use super::matrix::{of_columns, size};
+use crate::checks::Pinhole;
 use crate::format::Format;
 use crate::node::{Node, Value};
 
@@ -14,14 +15,7 @@ pub(super) const CX: [&str; 6] = ["cx", "ppx", "principalx", "principalpointx", 
 pub(super) const CY: [&str; 6] = ["cy", "ppy", "principaly", "principalpointy", "v0", "centery"];
 pub(super) const PRINCIPALS: [&str; 3] = ["principalpoint", "pp", "opticalcenter"];
 /// Camera matrices that some write column by column.
-const MATRICES: [&str; 6] = [
-    "intrinsicmatrix",
-    "intrinsics",
-    "intrinsic",
-    "k",
-    "cameramatrix",
-    "cameraintrinsics",
-];
+const MATRICES: [&str; 5] = ["intrinsicmatrix", "intrinsics", "intrinsic", "k", "cameraintrinsics"];
 const WIDTHS: [&str; 4] = ["width", "w", "imagewidth", "imgwidth"];
 const HEIGHTS: [&str; 4] = ["height", "h", "imageheight", "imgheight"];
 const SIZES: [&str; 7] = [
@@ -58,11 +52,11 @@ pub(super) fn has_focal(node: &Node) -> bool {
     is_named || has_number(&FOCALS) && (has(&CX) || has(&PRINCIPALS) || has_baseline())
 }
 
-/// A camera matrix column by column: its name, its numbers row by row, and where it stands.
-pub(super) fn columns(node: &Node) -> Option<(&str, [f64; 9], &Node)> {
+/// A camera matrix column by column: its name, what it says, and where it stands.
+pub(super) fn columns(node: &Node) -> Option<(&str, Pinhole, &Node)> {
     let (key, matrix) = get(node, &MATRICES)?;
     let numbers = matrix.array(FORMAT, key, "9").ok()?;
-    is_by_columns(numbers).then_some((key, numbers, matrix))
+    Some((key, of_columns(numbers)?, matrix))
 }
 
 /// The width and the height of the images.

@@ -3,15 +3,19 @@
 //! Source: Geiger et al.: Vision meets robotics, 2013: `P_rect(i)[0][3]` = −f·b(i), with b(i) from camera 0.
 
 use super::matrix::{Projection, how, place_pair, size};
+use crate::camera::Basis;
 use crate::checks::{camera, in_meters, read_doffs};
 use crate::format::Format;
-use crate::found::{Basis, Found, Warning};
+use crate::found::Found;
 use crate::number::numbers;
 use crate::place::Place;
 use crate::refusal::Refusal;
 use crate::text::{Line, lines};
+use crate::warning::Warning;
 
 const FORMAT: Format = Format::Kitti;
+/// KITTI has four.
+const MOST_CAMERAS: usize = 12;
 
 /// Whether a line is a projection matrix: `P0:`, `P_rect_02:`, or two lines and more of twelve numbers without a name.
 pub(crate) fn is_kitti(text: &str) -> bool {
@@ -21,67 +25,99 @@ pub(crate) fn is_kitti(text: &str) -> bool {
     has_names || (all.clone().count() >= 2 && all.all(is_row))
 }
 
-/// The number of the camera that a projection matrix is of, and what comes behind the colon.
-fn named(line: Line<'_>) -> Option<(&str, &str)> {
+/// A projection matrix.
+struct Row {
+    /// The number of the camera, as the file writes it.
+    number: String,
+    /// What the file calls the matrix.
+    name: String,
+    projection: Projection,
+    place: Place,
+}
+
+/// What a projection matrix is called, the number of its camera, and what comes behind the colon.
+fn named(line: Line<'_>) -> Option<[&str; 3]> {
     let (key, values) = line.text.split_once(':')?;
     let number = key.strip_prefix("P_rect_").or_else(|| key.strip_prefix('P'))?;
     let is_number = !number.is_empty() && number.chars().all(|one| one.is_ascii_digit());
     let begins = values.trim_start().starts_with(|one: char| one.is_ascii_digit() || one == '-');
-    (is_number && begins).then_some((number, values))
+    (is_number && begins).then_some([key, number, values])
 }
 
 pub(super) fn read(text: &str) -> Result<Found, Refusal> {
-    let mut rows: Vec<(String, Projection, Place)> = Vec::new();
+    let mut rows: Vec<Row> = Vec::new();
     for line in lines(text) {
-        if let Some((number, values)) = named(line) {
-            let name = format!("P{number}");
-            let row = line.array(values, FORMAT, &name, "12")?;
-            rows.push((number.to_owned(), Projection::new(row), line.place));
+        if let Some([name, number, values]) = named(line) {
+            let projection = Projection::new(line.array(values, FORMAT, name, "12")?);
+            rows.push(Row {
+                number: number.to_owned(),
+                name: name.to_owned(),
+                projection,
+                place: line.place,
+            });
         }
     }
     if rows.is_empty() {
         for (index, line) in lines(text).enumerate() {
-            let row = line.array(line.text, FORMAT, "a row", "12")?;
-            rows.push((index.to_string(), Projection::new(row), line.place));
+            let projection = Projection::new(line.array(line.text, FORMAT, "a row", "12")?);
+            rows.push(Row {
+                number: index.to_string(),
+                name: format!("row {}", index + 1),
+                projection,
+                place: line.place,
+            });
         }
     }
     let mut found = Found::of(FORMAT);
-    for (number, projection, line) in &rows {
-        let place = (size_of(text, number)?, Basis::Rectified, line.origin(format!("P{number}")));
-        found
-            .cameras
-            .push(camera(FORMAT, &format!("camera {number}"), projection.pinhole, place)?);
+    for row in &rows {
+        let place = (size_of(text, &row.number)?, Basis::Rectified, row.place.origin(&*row.name));
+        let name = format!("camera {}", row.number);
+        found.add(camera(FORMAT, &name, row.projection.pinhole, place)?)?;
     }
-    read_pair(&mut found, &rows);
+    read_pairs(&mut found, &rows)?;
     Ok(found)
 }
 
-/// The gray pair, cameras 0 and 1, or the color pair, 2 and 3, or the first two.
-fn read_pair(found: &mut Found, rows: &[(String, Projection, Place)]) {
-    let place = |wanted: u32| rows.iter().position(|(number, ..)| number.parse() == Ok(wanted));
+/// The gray pair, cameras 0 and 1, the color pair, 2 and 3, or the first two; then all others that stand apart.
+fn read_pairs(found: &mut Found, rows: &[Row]) -> Result<(), Refusal> {
+    let place = |wanted: u32| rows.iter().position(|row| row.number.parse() == Ok(wanted));
     let pairs = [(0, 1), (2, 3), (101, 103)];
-    let named = pairs.into_iter().find_map(|(left, right)| Some([place(left)?, place(right)?]));
-    let Some(pair) = named.or((rows.len() >= 2).then_some([0, 1])) else {
-        found.warnings.push(Warning::NoBaseline { format: FORMAT });
-        return;
-    };
-    let [first, second] = pair.map(|at| rows.get(at));
-    let (Some((first, left, _)), Some((second, right, place))) = (first, second) else {
-        return;
-    };
-    let length = place_pair(found, pair, left.to(*right));
-    if length > 0.0 {
-        let baseline = in_meters(length, &mut found.warnings);
-        let names = [first, second].map(|number| format!("P{number}"));
-        found.measure(baseline, place.origin(how(names.each_ref().map(String::as_str), [*left, *right])));
-        read_doffs(found, None);
+    let named = pairs.into_iter().filter_map(|(left, right)| Some([place(left)?, place(right)?]));
+    let mut pairs: Vec<[usize; 2]> = named.collect();
+    // Many rows are hostile; their pairs need not be listed.
+    let count = rows.len().min(MOST_CAMERAS);
+    let others = (0..count).flat_map(|first| (first + 1..count).map(move |second| [first, second]));
+    for pair in others {
+        if !pairs.contains(&pair) {
+            pairs.push(pair);
+        }
     }
-    if rows.len() > 2 {
-        let names = pair.map(|at| rows.get(at).map(|(number, ..)| number.clone()).unwrap_or_default());
-        found.warnings.push(Warning::Many {
-            cameras: rows.len(),
-            pair: Some(names),
-        });
+    for (at, pair) in pairs.into_iter().enumerate() {
+        let [Some(left), Some(right)] = pair.map(|at| rows.get(at)) else {
+            continue;
+        };
+        // Cameras at the same place are no pair; of the first that is said.
+        if at == 0 || left.projection.to(right.projection) != [0.0; 2] {
+            found.pair_up(pair, |two| {
+                measure(two, left, right);
+                Ok(())
+            })?;
+        }
+    }
+    found.take_first_pair();
+    if found.pairs.is_empty() {
+        found.warnings.push(Warning::NoBaseline { format: FORMAT });
+    }
+    Ok(())
+}
+
+fn measure(two: &mut Found, left: &Row, right: &Row) {
+    let projections = [left.projection, right.projection];
+    let length = place_pair(two, [0, 1], left.projection.to(right.projection));
+    if length > 0.0 {
+        let baseline = in_meters(length, &mut two.warnings);
+        two.measure(baseline, right.place.origin(how([&left.name, &right.name], projections)));
+        read_doffs(two, None);
     }
 }
 

@@ -1,7 +1,9 @@
 //! What camera matrices and projection matrices say.
 
 use crate::checks::Pinhole;
-use crate::found::{Found, Warning};
+use crate::found::Found;
+use crate::place::Origin;
+use crate::warning::Warning;
 
 /// Two numbers as width and height, where they are some.
 pub(super) fn size([width, height]: [f64; 2]) -> Option<[u32; 2]> {
@@ -14,15 +16,41 @@ pub(super) fn size([width, height]: [f64; 2]) -> Option<[u32; 2]> {
     Some([side(width)?, side(height)?])
 }
 
-/// Whether the numbers of a camera matrix come column by column: its last column is then where its last row should be.
-pub(super) fn is_by_columns([_, _, c, _, _, f, g, h, i]: [f64; 9]) -> bool {
-    [c, f, i] == [0.0, 0.0, 1.0] && [g, h] != [0.0; 2]
+/// The numbers of a camera matrix, row after row, as fx, fy, cx, cy.
+pub(super) const fn of_matrix([fx, _, cx, _, fy, cy, ..]: [f64; 9]) -> Pinhole {
+    [fx, fy, cx, cy]
 }
 
-/// The numbers of a camera matrix, row after row or column after column, as fx, fy, cx, cy.
-pub(super) fn of_matrix(matrix: [f64; 9]) -> Pinhole {
-    let [fx, _, cx, _, fy, cy, x, y, _] = matrix;
-    if is_by_columns(matrix) { [fx, fy, x, y] } else { [fx, fy, cx, cy] }
+/// The same of one that comes column after column: its last column is then 0, 0, 1. Nothing of any other.
+pub(super) fn of_columns([fx, _, zero, _, fy, other_zero, cx, cy, one]: [f64; 9]) -> Option<Pinhole> {
+    let is_turned = [zero, other_zero, one - 1.0] == [0.0; 3] && cx > 1.0 && cy > 1.0;
+    is_turned.then_some([fx, fy, cx, cy])
+}
+
+/// The same of a matrix that may have rows for columns, as MATLAB has it: which is said.
+pub(super) fn read_matrix(matrix: [f64; 9], origin: &Origin, warnings: &mut Vec<Warning>) -> Pinhole {
+    let Some(turned) = of_columns(matrix) else {
+        return of_matrix(matrix);
+    };
+    let warning = Warning::Transposed { origin: origin.clone() };
+    if !warnings.contains(&warning) {
+        warnings.push(warning);
+    }
+    turned
+}
+
+/// A projection matrix that may have rows for columns: then its third column is 0, 0, 1, 0, which is said.
+pub(super) fn read_projection(matrix: [f64; 12], origin: &Origin, warnings: &mut Vec<Warning>) -> Projection {
+    let [fx, _, zero, _, fy, other_zero, cx, cy, one, tx, ty, last] = matrix;
+    let is_turned = [zero, other_zero, one - 1.0, last] == [0.0; 4] && cx > 1.0 && cy > 1.0;
+    if !is_turned {
+        return Projection::new(matrix);
+    }
+    warnings.push(Warning::Transposed { origin: origin.clone() });
+    Projection {
+        pinhole: [fx, fy, cx, cy],
+        shift: [tx, ty],
+    }
 }
 
 /// A projection matrix of a rectified camera: P = K·(I | t) with t along the row or the column of the images.

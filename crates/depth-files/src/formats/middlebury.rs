@@ -2,12 +2,15 @@
 //!
 //! Source: the description of the Middlebury 2014 stereo data sets: Z = baseline · f / (d + doffs).
 
-use super::matrix::{of_matrix, size};
+use super::matrix::{read_matrix, size};
+use crate::baseline::Baseline;
+use crate::camera::Basis;
 use crate::checks::{camera, read_doffs};
 use crate::format::Format;
-use crate::found::{Baseline, Basis, Found, Warning};
+use crate::found::Found;
 use crate::refusal::Refusal;
 use crate::text::{Line, lines};
+use crate::warning::Warning;
 use depth_core::quantity::{Length, LengthUnit};
 
 const FORMAT: Format = Format::Middlebury;
@@ -37,10 +40,9 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
     };
     for name in ["cam0", "cam1"] {
         if let Some(line) = get(name) {
-            let matrix = of_matrix(line.array(line.text, FORMAT, name, "9")?);
-            found
-                .cameras
-                .push(camera(FORMAT, name, matrix, (size, Basis::Rectified, line.place.origin(name)))?);
+            let origin = line.place.origin(name);
+            let matrix = read_matrix(line.array(line.text, FORMAT, name, "9")?, &origin, &mut found.warnings);
+            found.cameras.push(camera(FORMAT, name, matrix, (size, Basis::Rectified, origin))?);
         }
     }
     if let Some([value]) = number("baseline")? {

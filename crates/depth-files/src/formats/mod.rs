@@ -15,10 +15,13 @@ mod matrix;
 mod middlebury;
 mod numpy;
 mod opencv;
+mod opencv_baseline;
 mod opencv_names;
 mod orbslam;
 mod realsense;
 mod ros;
+mod ros_window;
+mod sensor;
 mod transforms;
 mod unnamed;
 mod vins;
@@ -37,6 +40,7 @@ pub(crate) use foundation_stereo::is_foundation_stereo;
 pub(crate) use ftc::ROOT as FTC_ROOT;
 pub(crate) use kitti::is_kitti;
 pub(crate) use numpy::{document as numpy, is_numpy};
+pub(crate) use realsense::is_realsense;
 
 /// What these files say together.
 pub(crate) fn read(files: &[File]) -> Result<Found, Refusal> {
@@ -45,6 +49,8 @@ pub(crate) fn read(files: &[File]) -> Result<Found, Refusal> {
         [File::Lines(format, text)] => of_lines(*format, text)?,
         _ => of_trees(files)?,
     };
+    checks::split_sides(&mut found);
+    found.complete();
     checks::remark(&mut found);
     Ok(found)
 }
@@ -63,23 +69,17 @@ fn of_lines(format: Format, text: &str) -> Result<Found, Refusal> {
     }
 }
 
+type Documents<'a> = Vec<(Format, &'a Node)>;
+
 fn of_trees(files: &[File]) -> Result<Found, Refusal> {
-    let mut documents: Vec<(Format, &Node)> = Vec::new();
-    for file in files {
-        match file {
-            File::Lines(format, _) => {
-                // The others of the files are of another kind, or of one that knows a single file.
-                return Err(Refusal::Mixed {
-                    formats: [*format, documents.first().map_or(*format, |(format, _)| *format)],
-                });
-            }
-            File::Trees(all) => {
-                for document in all {
-                    let format = format_of(document);
-                    documents.extend(format.map(|format| (format, document)));
-                }
-            }
-        }
+    let (lines, mut documents) = known(files)?;
+    if let Some(format) = lines.first().copied() {
+        // These have all cameras in one file.
+        let mut others = lines.into_iter().chain(documents.iter().map(|(format, _)| *format));
+        return Err(match others.find(|other| *other != format) {
+            Some(other) => Refusal::Mixed { formats: [format, other] },
+            None => Refusal::OneFile { format },
+        });
     }
     let is_without_matrix =
         |(format, document): &(Format, &Node)| matches!(format, Format::OpenCv | Format::NumPy) && !opencv_names::has_matrix(document);
@@ -100,6 +100,10 @@ fn of_trees(files: &[File]) -> Result<Found, Refusal> {
     if let Some((other, _)) = documents.iter().find(|(other, _)| *other != format) {
         return Err(Refusal::Mixed { formats: [format, *other] });
     }
+    let are_several = documents.iter().any(|(_, document)| document.place.file != first.place.file);
+    if are_several && matches!(format, Format::Kalibr | Format::OrbSlam) {
+        return Err(Refusal::OneFile { format });
+    }
     let documents: Vec<&Node> = documents.into_iter().map(|(_, document)| document).collect();
     match format {
         Format::Euroc => euroc::read(&documents),
@@ -114,6 +118,30 @@ fn of_trees(files: &[File]) -> Result<Found, Refusal> {
         Format::NumPy => numpy::read(&documents),
         _ => opencv::read(&documents),
     }
+}
+
+/// The formats of the files of lines, and the documents of the others with their formats.
+fn known(files: &[File]) -> Result<(Vec<Format>, Documents<'_>), Refusal> {
+    let mut documents = Documents::new();
+    let mut lines = Vec::new();
+    for file in files {
+        match file {
+            File::Lines(format, _) => lines.push(*format),
+            File::Trees(all) => {
+                let known = all.iter().filter_map(|document| Some((format_of(document)?, document)));
+                let before = documents.len();
+                documents.extend(known);
+                // An array in a file of its own says nothing by itself.
+                let is_array = |document: &Node| opencv_format(document) == Format::NumPy;
+                let may_belong = all.iter().any(is_array) || !unnamed::matrices(all.iter()).is_empty();
+                let is_unknown = documents.len() == before && files.len() > 1 && !may_belong;
+                if let (true, Some(document)) = (is_unknown, all.first()) {
+                    return Err(Refusal::Unknown.in_file(document.place.file));
+                }
+            }
+        }
+    }
+    Ok((lines, documents))
 }
 
 /// Whose file a document is, by what only they write.

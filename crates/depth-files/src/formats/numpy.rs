@@ -8,10 +8,11 @@ use super::opencv_names::is_known;
 use super::unnamed::matrices;
 use crate::binary::OF_OBJECTS;
 use crate::format::Format;
-use crate::found::{Found, Warning};
+use crate::found::Found;
 use crate::node::{Node, Value};
 use crate::place::Place;
 use crate::refusal::Refusal;
+use crate::warning::Warning;
 use miniz_oxide::inflate::{TINFLStatus, decompress_to_vec_with_limit};
 use rawzip::{CompressionMethod, ZipArchive, ZipSliceArchive};
 

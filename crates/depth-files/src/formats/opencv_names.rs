@@ -1,5 +1,6 @@
 //! What people call the matrices of OpenCV.
 
+use crate::format::Format;
 use crate::node::{Node, Value};
 use crate::place::Origin;
 
@@ -70,9 +71,17 @@ const DISTORTIONS: [&str; 8] = [
 const MATRICES: [&str; 6] = ["m", "k", "cameramatrix", "mtx", "intrinsicmatrix", "intrinsics"];
 const PROJECTIONS: [&str; 3] = ["p", "projectionmatrix", "projmat"];
 pub(super) const TRANSLATIONS: [&str; 6] = ["t", "translationvector", "translation", "trans", "transmat", "tvec"];
+pub(super) const QS: [&str; 6] = [
+    "q",
+    "qmatrix",
+    "matrixq",
+    "disparitytodepthmappingmatrix",
+    "disptodepthmatrix",
+    "disparitytodepth",
+];
 pub(super) const SIZES: [&str; 5] = ["imagesize", "calibimagesize", "imgsize", "capsize", "size"];
 pub(super) const WIDTHS: [[&str; 2]; 3] = [["imagewidth", "imageheight"], ["framewidth", "frameheight"], ["width", "height"]];
-pub(super) const SQUARES: [&str; 3] = ["squaresize", "squaresizemm", "squaresizem"];
+const SQUARES: [&str; 3] = ["squaresize", "squaresizemm", "squaresizem"];
 /// How the first and the second camera are told apart.
 const FIRST: [&str; 3] = ["1", "left", "l"];
 const SECOND: [&str; 3] = ["2", "right", "r"];
@@ -151,5 +160,13 @@ pub(super) fn has_matrix(document: &Node) -> bool {
 
 /// Whether one of these names is in it, or a translation, as in a file of extrinsics alone.
 pub(super) fn is_known(document: &Node) -> bool {
-    has_matrix(document) || find(&parts(document), &TRANSLATIONS).filter(is_matrix).is_some()
+    let parts = parts(document);
+    let has = |names: &[&str]| find(&parts, names).filter(is_matrix).is_some();
+    has_matrix(document) || has(&TRANSLATIONS) || has(&QS)
+}
+
+/// The size of the squares of the board, in the unit of whoever wrote it down.
+pub(super) fn square(parts: &[Part<'_>]) -> Option<f64> {
+    let numbers = find(parts, &SQUARES)?.node.numbers(Format::OpenCv, "the square").ok()?;
+    numbers.first().copied().filter(|size| *size > 0.0)
 }

@@ -1,23 +1,28 @@
 //! ROS: `sensor_msgs/CameraInfo` as a calibration file, as `rostopic echo` and `ros2 topic echo` print it, and as the calibrator does.
 
-use super::matrix::{Projection, how, of_matrix, place_pair, size};
-use crate::checks::{Pinhole, camera, coefficients, in_meters, read_doffs, unusable};
+use super::matrix::{Projection, how, place_pair, read_matrix, read_projection, size};
+use super::ros_window::Window;
+use crate::camera::{Basis, Camera};
+use crate::checks::{Pinhole, camera, coefficients, contradict, in_meters, read_doffs, unusable};
 use crate::format::Format;
-use crate::found::{Basis, Camera, Found, Warning};
+use crate::found::Found;
 use crate::node::Node;
 use crate::number::numbers;
 use crate::place::Origin;
 use crate::refusal::Refusal;
 use crate::text::{Line, lines};
+use crate::warning::Warning;
 
 const FORMAT: Format = Format::Ros;
+
+/// ROS knows no rig of more cameras.
+const MOST_CAMERAS: usize = 12;
 
 /// What one message says.
 struct Info {
     camera: Camera,
     /// P, where it can be used.
     projection: Option<Projection>,
-    model: String,
 }
 
 pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
@@ -26,53 +31,72 @@ pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
         .iter()
         .map(|document| info(document, &mut warnings))
         .collect::<Result<Vec<_>, _>>()?;
-    found(infos, warnings)
+    found(&infos, warnings)
 }
 
-fn found(infos: Vec<Info>, mut warnings: Vec<Warning>) -> Result<Found, Refusal> {
-    for info in &infos {
-        if ["equidistant", "fisheye"].contains(&info.model.as_str()) {
-            warnings.push(Warning::Fisheye {
-                camera: info.camera.name.clone(),
-                model: info.model.clone(),
-            });
-        }
-    }
+fn found(infos: &[Info], warnings: Vec<Warning>) -> Result<Found, Refusal> {
     let mut found = Found {
-        cameras: infos.iter().map(|info| info.camera.clone()).collect(),
         warnings,
         ..Found::of(FORMAT)
     };
-    match infos.as_slice() {
-        [one] => read_one(&mut found, one),
-        [first, second] => {
-            found.pair = Some([0, 1]);
-            if let (Some(one), Some(other)) = (first.projection, second.projection) {
-                let length = place_pair(&mut found, [0, 1], one.to(other));
-                // The right camera is the one whose P has the baseline, in whatever order the files come.
-                if other.shift == [0.0; 2] {
-                    found.warnings.retain(|warning| *warning != Warning::Swapped);
-                }
-                if length > 0.0 {
-                    let baseline = in_meters(length, &mut found.warnings);
-                    let (names, camera) = names(&first.camera, &second.camera, other);
-                    found.measure(
-                        baseline,
-                        camera
-                            .origin
-                            .place()
-                            .origin(how(names.each_ref().map(String::as_str), [one, other])),
-                    );
-                }
-                read_doffs(&mut found, None);
-            }
+    for info in infos {
+        found.add(info.camera.clone())?;
+    }
+    found.tell_apart();
+    for camera in &found.cameras {
+        if let Some(model) = camera
+            .model
+            .clone()
+            .filter(|model| ["equidistant", "fisheye"].contains(&model.as_str()))
+        {
+            let camera = camera.name.clone();
+            found.warnings.push(Warning::Fisheye { camera, model });
         }
-        _ => found.warnings.push(Warning::Many {
-            cameras: infos.len(),
-            pair: None,
-        }),
+    }
+    if let [one] = infos {
+        read_one(&mut found, one);
+        return Ok(found);
+    }
+    let count = infos.len().min(MOST_CAMERAS);
+    let all = (0..count).flat_map(|first| (first + 1..count).map(move |second| [first, second]));
+    for pair in all {
+        let [Some(first), Some(second)] = pair.map(|at| infos.get(at)) else {
+            continue;
+        };
+        let (Some(one), Some(other)) = (first.projection, second.projection) else {
+            continue;
+        };
+        // Of two cameras it is said that they stand at the same place; of more only those are pairs that do not.
+        if infos.len() == 2 || one.to(other) != [0.0; 2] {
+            found.pair_up(pair, |two| {
+                measure(two, [one, other]);
+                Ok(())
+            })?;
+        }
+    }
+    if infos.len() == 2 {
+        found.pair = Some([0, 1]);
+        found.take_first_pair();
     }
     Ok(found)
+}
+
+fn measure(two: &mut Found, [one, other]: [Projection; 2]) {
+    let length = place_pair(two, [0, 1], one.to(other));
+    // The right camera is the one whose P has the baseline, in whatever order the files come.
+    if other.shift == [0.0; 2] {
+        two.warnings.retain(|warning| *warning != Warning::Swapped);
+    }
+    if length > 0.0 {
+        let baseline = in_meters(length, &mut two.warnings);
+        if let [first, second] = two.cameras.as_slice() {
+            let (names, camera) = names(first, second, other);
+            let how = how(names.each_ref().map(String::as_str), [one, other]);
+            let origin = camera.origin.place().origin(how);
+            two.measure(baseline, origin);
+        }
+    }
+    read_doffs(two, None);
 }
 
 /// What to call the matrices of two cameras, which have the same name in both files, and the camera whose matrix has the baseline.
@@ -105,30 +129,49 @@ fn read_one(found: &mut Found, one: &Info) {
     }
 }
 
+/// What a message or a file has under one of two names.
+fn named<'a>(document: &'a Node, names: [&'static str; 2]) -> Option<(&'a Node, &'static str)> {
+    names.into_iter().find_map(|name| document.get(name).map(|node| (node, name)))
+}
+
 fn info(document: &Node, warnings: &mut Vec<Warning>) -> Result<Info, Refusal> {
-    let named = |names: [&'static str; 2]| names.into_iter().find_map(|name| document.get(name).map(|node| (node, name)));
-    let first = |names: [&'static str; 2]| named(names).map(|(node, _)| node);
+    let first = |names: [&'static str; 2]| named(document, names).map(|(node, _)| node);
     let side = |names: [&'static str; 2], name: &str| first(names).map_or(Ok(f64::NAN), |node| node.number(FORMAT, name));
     let size = size([
         side(["image_width", "width"], "the width")?,
         side(["image_height", "height"], "the height")?,
     ]);
     let text = |names: [&'static str; 2]| first(names).and_then(Node::text).unwrap_or_default().to_owned();
+    let frame = || {
+        document
+            .get("header")
+            .and_then(|header| header.get("frame_id"))
+            .and_then(Node::text)
+    };
     let name = text(["camera_name", "frame_id"]);
-    let name = if name.is_empty() { "camera".to_owned() } else { name };
-    let model = text(["distortion_model", "camera_model"]);
-    let projection = match named(["projection_matrix", "P"]) {
-        Some((node, name)) => Some((Projection::new(node.array(FORMAT, "P", "12")?), node.place.origin(name))),
+    let name = [&name, frame().unwrap_or_default(), "camera"]
+        .into_iter()
+        .find(|name| !name.is_empty());
+    let name = name.unwrap_or_default().to_owned();
+    let projection = match named(document, ["projection_matrix", "P"]) {
+        Some((node, name)) => {
+            let origin = node.place.origin(name);
+            Some((read_projection(node.array(FORMAT, "P", "12")?, &origin, warnings), origin))
+        }
         None => None,
     };
-    let matrix = match named(["camera_matrix", "K"]) {
-        Some((node, name)) => Some((of_matrix(node.array(FORMAT, "K", "9")?), node.place.origin(name))),
+    let matrix = match named(document, ["camera_matrix", "K"]) {
+        Some((node, name)) => {
+            let origin = node.place.origin(name);
+            Some((read_matrix(node.array(FORMAT, "K", "9")?, &origin, warnings), origin))
+        }
         None => None,
     };
     let distortion = first(["distortion_coefficients", "D"]).or_else(|| document.get("distortion_coefficents"));
-    let mut info = of_matrices(&name, (size, model), (projection, matrix), warnings)?;
+    let mut info = of_matrices(&name, size, (projection, matrix), warnings)?;
     info.camera.distortion = Node::coefficients(distortion, FORMAT);
-    info.camera.model = Some(info.model.clone()).filter(|model| !model.is_empty());
+    info.camera.model = Some(text(["distortion_model", "camera_model"])).filter(|model| !model.is_empty());
+    Window::read(document)?.apply(&mut info.camera, &mut info.projection, warnings);
     Ok(info)
 }
 
@@ -138,17 +181,18 @@ type Placed<T> = Option<(T, Origin)>;
 /// A camera of P where that can be used, else of K.
 fn of_matrices(
     name: &str,
-    (size, model): (Option<[u32; 2]>, String),
+    size: Option<[u32; 2]>,
     (projection, matrix): (Placed<Projection>, Placed<Pinhole>),
     warnings: &mut Vec<Warning>,
 ) -> Result<Info, Refusal> {
     if let Some((projection, origin)) = projection {
-        match unusable(projection.pinhole, size) {
+        let of_another = matrix.as_ref().is_some_and(|(matrix, _)| contradict(projection.pinhole, *matrix));
+        let why = of_another.then(|| "its focal length is many times that of the camera, or a fraction of it".to_owned());
+        match unusable(projection.pinhole, size).or(why) {
             None => {
                 return Ok(Info {
                     camera: camera(FORMAT, name, projection.pinhole, (size, Basis::Rectified, origin))?,
                     projection: Some(projection),
-                    model,
                 });
             }
             Some(why) => warnings.push(Warning::RectificationUnusable { why }),
@@ -163,7 +207,6 @@ fn of_matrices(
     Ok(Info {
         camera: camera(FORMAT, name, matrix, (size, Basis::Raw, origin))?,
         projection: None,
-        model,
     })
 }
 
@@ -193,14 +236,14 @@ pub(super) fn read_text(text: &str) -> Result<Found, Refusal> {
             }
             "camera matrix" => {
                 let numbers = line.array(&after(3), FORMAT, "the camera matrix", "9")?;
-                matrix = Some((of_matrix(numbers), line.place.origin("camera matrix")));
+                let origin = line.place.origin("camera matrix");
+                matrix = Some((read_matrix(numbers, &origin, &mut warnings), origin));
             }
             "distortion" => distortion = coefficients(numbers(&after(1))),
             "projection" => {
                 let projection = Projection::new(line.array(&after(3), FORMAT, "the projection", "12")?);
-                let kind = (size(size_now), String::new());
                 let matrices = (Some((projection, line.place.origin("projection"))), matrix.take());
-                let mut info = of_matrices(&name, kind, matrices, &mut warnings)?;
+                let mut info = of_matrices(&name, size(size_now), matrices, &mut warnings)?;
                 info.camera.distortion = std::mem::take(&mut distortion);
                 infos.push(info);
             }
@@ -214,7 +257,7 @@ pub(super) fn read_text(text: &str) -> Result<Found, Refusal> {
             what: "projection",
         });
     }
-    found(infos, warnings)
+    found(&infos, warnings)
 }
 
 fn one(line: Line<'_>, text: &str, name: &str) -> Result<f64, Refusal> {

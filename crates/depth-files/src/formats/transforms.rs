@@ -4,11 +4,13 @@
 //! the center.
 
 use super::matrix::size;
+use crate::camera::{Basis, Camera};
 use crate::checks::{camera, coefficients};
 use crate::format::Format;
-use crate::found::{Basis, Camera, Found, Warning};
+use crate::found::Found;
 use crate::node::Node;
 use crate::refusal::Refusal;
+use crate::warning::Warning;
 
 const FORMAT: Format = Format::Transforms;
 /// So many cameras are listed, of frames that have each their own.
@@ -38,10 +40,6 @@ pub(super) fn read(document: &Node) -> Result<Found, Refusal> {
                 read_camera(&mut found, &format!("frame {}", index + 1), [frame, document])?;
             }
         }
-    }
-    if found.cameras.len() > 1 {
-        let cameras = found.cameras.len();
-        found.warnings.push(Warning::Many { cameras, pair: None });
     }
     let frames = frames(document).count();
     found

@@ -1,6 +1,6 @@
 //! Camera matrices that have no name: of an array in a file of its own, of `np.savez(file, mtx, dist)`, and of a list in JSON.
 
-use super::matrix::is_by_columns;
+use super::matrix::of_columns;
 use crate::format::Format;
 use crate::node::{Node, Value};
 
@@ -41,5 +41,5 @@ fn is_matrix(node: &Node) -> bool {
         return false;
     };
     let is_by_rows = [b, x, y, one] == [0.0, 0.0, 0.0, 1.0];
-    (is_by_rows || is_by_columns([fx, a, c, b, fy, f, x, y, one])) && fx > 1.0 && fy > 1.0
+    (is_by_rows || of_columns([fx, a, c, b, fy, f, x, y, one]).is_some()) && fx > 1.0 && fy > 1.0
 }

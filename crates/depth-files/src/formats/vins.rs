@@ -3,12 +3,14 @@
 //! Source: camodocal, `PinholeCamera.cc`; VINS-Fusion, `parameters.cpp`: `body_T_cam0` leads from the camera to the IMU.
 
 use super::matrix::{place_pair, size};
+use crate::camera::{Basis, Camera};
 use crate::checks::{camera, coefficients, in_meters};
 use crate::format::Format;
-use crate::found::{Basis, Camera, Found, Warning};
+use crate::found::Found;
 use crate::geometry::{Transform, length};
 use crate::node::Node;
 use crate::refusal::Refusal;
+use crate::warning::Warning;
 
 const FORMAT: Format = Format::Vins;
 

@@ -2,13 +2,15 @@
 //!
 //! Source: Stereolabs, zed-opencv-native, `calibration.hpp`.
 
-use crate::checks::{Pinhole, camera, coefficients};
+use crate::camera::{Basis, Camera};
+use crate::checks::{Pinhole, camera, coefficients, in_meters};
 use crate::format::Format;
-use crate::found::{Baseline, Basis, Camera, Found, Warning};
+use crate::found::Found;
 use crate::number::number;
 use crate::place::Place;
 use crate::refusal::Refusal;
 use crate::text::lines;
+use crate::warning::Warning;
 use depth_core::quantity::{Length, LengthUnit};
 
 const FORMAT: Format = Format::Zed;
@@ -48,34 +50,54 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
             Basis::Raw,
             section.place.origin(format!("fx, fy, cx, cy of [{}]", section.name)),
         );
-        found.cameras.push(Camera {
+        found.add(Camera {
             distortion: distortion(section),
             ..camera(FORMAT, &name, pinhole(section)?, place)?
-        });
+        })?;
     }
+    let mut baseline = None;
+    let mut said = Vec::new();
     let stereo = sections.iter().find(|section| section.name == "STEREO");
     match stereo.and_then(|section| section.entries.iter().find(|(key, ..)| key == "baseline")) {
         Some((_, text, place)) => {
             let value = number(text.trim_end_matches("mm")).ok_or_else(|| not_a_number("Baseline", text, *place))?;
             if value < 0.0 {
-                found.warnings.push(Warning::NegativeBaseline);
+                said.push(Warning::NegativeBaseline);
             }
-            let baseline = (value != 0.0).then(|| Baseline::Known(Length::new(value.abs(), LengthUnit::Millimeter)));
-            found.measure(baseline, place.origin("Baseline"));
+            let length = Length::new(value.abs(), LengthUnit::Millimeter);
+            baseline = in_meters(length.m(), &mut said).map(|baseline| (baseline, place.origin("Baseline")));
         }
-        None => found.warnings.push(Warning::NoBaseline { format: FORMAT }),
+        None => said.push(Warning::NoBaseline { format: FORMAT }),
     }
-    if found.cameras.len() >= 2 {
-        found.pair = Some([0, 1]);
+    for pair in modes(&found.cameras) {
+        found.pair_up(pair, |two| {
+            two.warnings.clone_from(&said);
+            if let Some((baseline, origin)) = &baseline {
+                two.measure(Some(*baseline), origin.clone());
+            }
+            Ok(())
+        })?;
     }
-    if let [left, right, _, ..] = found.cameras.as_slice() {
-        let pair = Some([left.name.clone(), right.name.clone()]);
-        found.warnings.push(Warning::Many {
-            cameras: found.cameras.len(),
-            pair,
-        });
+    found.take_first_pair();
+    if found.pair.is_none() {
+        found.warnings.append(&mut said);
     }
     Ok(found)
+}
+
+/// The left and the right camera of each mode, in the order of the file.
+fn modes(cameras: &[Camera]) -> Vec<[usize; 2]> {
+    let side = |camera: &Camera, side: &str| camera.name.strip_prefix(side).map(str::to_owned);
+    let lefts = cameras
+        .iter()
+        .enumerate()
+        .filter_map(|(at, camera)| Some((at, side(camera, "left ")?)));
+    let pairs = lefts.filter_map(|(left, mode)| {
+        let right = cameras.iter().position(|camera| side(camera, "right ").as_ref() == Some(&mode))?;
+        Some([left, right])
+    });
+    // There are seven modes.
+    pairs.take(MODES.len()).collect()
 }
 
 fn pinhole(section: &Section) -> Result<Pinhole, Refusal> {
