@@ -7,8 +7,14 @@ use crate::node::{Node, Value};
 use crate::refusal::Refusal;
 use crate::xml;
 
-/// No calibration is larger: one with hundreds of cameras has a hundredth of it.
+/// No file is larger in which somebody keeps a calibration, whatever else is in it.
 pub const LARGEST: usize = 16 << 20;
+/// No calibration in text is larger: one with hundreds of cameras has a tenth of it.
+const LARGEST_TEXT: usize = 4 << 20;
+
+const TOO_LARGE: Refusal = Refusal::TooLarge {
+    megabytes: LARGEST_TEXT >> 20,
+};
 
 /// What a file is written in.
 pub(crate) enum File {
@@ -40,16 +46,19 @@ pub(crate) fn of_xml(text: &str, file: usize) -> Result<File, Refusal> {
 /// The text in `bytes`, with `\n` at the end of each line.
 pub(crate) fn text(bytes: &[u8]) -> Result<String, Refusal> {
     if bytes.len() > LARGEST {
-        return Err(Refusal::TooLarge);
+        return Err(Refusal::TooLarge { megabytes: LARGEST >> 20 });
     }
     if bytes.is_empty() {
         return Err(Refusal::Empty);
     }
-    if let Some(text) = utf_16(bytes) {
+    if let Some(text) = utf_16(bytes)? {
         return Ok(with_plain_ends(text));
     }
     if let Some(refusal) = binary::refusal(bytes) {
         return Err(refusal);
+    }
+    if bytes.len() > LARGEST_TEXT {
+        return Err(TOO_LARGE);
     }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     Ok(with_plain_ends(String::from_utf8_lossy(bytes).into_owned()))
@@ -64,15 +73,18 @@ fn with_plain_ends(text: String) -> String {
 }
 
 /// The text of a file that says by its first two bytes that it is in UTF-16, as PowerShell and Notepad write.
-fn utf_16(bytes: &[u8]) -> Option<String> {
+fn utf_16(bytes: &[u8]) -> Result<Option<String>, Refusal> {
     let (pair, rest): (fn([u8; 2]) -> u16, _) = match bytes {
         [0xff, 0xfe, rest @ ..] => (u16::from_le_bytes, rest),
         [0xfe, 0xff, rest @ ..] => (u16::from_be_bytes, rest),
-        _ => return None,
+        _ => return Ok(None),
     };
+    if rest.len() > 2 * LARGEST_TEXT {
+        return Err(TOO_LARGE);
+    }
     let (units, _) = rest.as_chunks::<2>();
     let text: String = char::decode_utf16(units.iter().map(|unit| pair(*unit)))
         .map(|one| one.unwrap_or(char::REPLACEMENT_CHARACTER))
         .collect();
-    (!text.contains('\0')).then_some(text)
+    Ok(Some(text).filter(|text| !text.contains('\0')))
 }

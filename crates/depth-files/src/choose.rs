@@ -61,12 +61,17 @@ impl Found {
         }
     }
 
+    /// Whether there are as many pairs as are listed.
+    pub(crate) const fn has_all_pairs(&self) -> bool {
+        self.pairs.len() >= MOST_PAIRS
+    }
+
     /// Adds the pair of the cameras at `places`. `measure` fills in what is between them, in a `Found` of these two.
     pub(crate) fn pair_up(&mut self, places: [usize; 2], measure: impl FnOnce(&mut Self) -> Result<(), Refusal>) -> Result<(), Refusal> {
         let [Some(first), Some(second)] = places.map(|at| self.cameras.get(at)) else {
             return Ok(());
         };
-        if self.pairs.len() >= MOST_PAIRS {
+        if self.has_all_pairs() {
             return Ok(());
         }
         let mut two = Self {

@@ -17,10 +17,28 @@ pub(crate) fn number(text: &str) -> Option<f64> {
     text.parse().ok()
 }
 
+/// How many numbers a line holds that holds nothing else, and the first `N` of them, in the order of [`numbers`].
+pub(crate) fn first_numbers<const N: usize>(line: &str) -> Option<(usize, [f64; N])> {
+    let mut first = [0.0; N];
+    let mut count = 0;
+    for part in parts(line) {
+        let number = number(part)?;
+        if let Some(place) = first.get_mut(count) {
+            *place = number;
+        }
+        count += 1;
+    }
+    Some((count, first))
+}
+
 /// The numbers in a line that holds nothing else: with blanks, commas or semicolons between them, in brackets or not.
 pub(crate) fn numbers(line: &str) -> Option<Vec<f64>> {
+    parts(line).map(number).collect()
+}
+
+fn parts(line: &str) -> impl Iterator<Item = &str> {
     let parts = line.split(|character: char| character.is_whitespace() || "[](){},;".contains(character));
-    parts.filter(|part| !part.is_empty()).map(number).collect()
+    parts.filter(|part| !part.is_empty())
 }
 
 #[cfg(test)]

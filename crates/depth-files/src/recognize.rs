@@ -49,7 +49,14 @@ pub(crate) fn read(bytes: &[u8], file: usize) -> Result<File, Refusal> {
 fn of_lines(text: &str) -> Option<Format> {
     let all = lines(text).map(|line| line.text);
     let begins = |starts: &dyn Fn(&str) -> bool| all.clone().any(starts);
-    let compact = |line: &str| line.replace(' ', "").to_ascii_lowercase();
+    // What tells formats apart stands at the beginning.
+    let compact = |line: &str| {
+        line.chars()
+            .filter(|one| *one != ' ')
+            .take(20)
+            .collect::<String>()
+            .to_ascii_lowercase()
+    };
     if is_realsense(text) {
         return Some(Format::RealSense);
     }

@@ -9,8 +9,8 @@ use crate::place::Place;
 pub enum Refusal {
     /// There is nothing in it.
     Empty,
-    /// More than 16 MB.
-    TooLarge,
+    /// More than so many megabytes.
+    TooLarge { megabytes: usize },
     /// Bytes that are no text, what they are if that can be told, and what to do.
     Binary { what: Option<&'static str>, todo: &'static str },
     /// Something that is known, and no calibration: what, and what to do.
@@ -21,7 +21,7 @@ pub enum Refusal {
     Syntax { what: &'static str, place: Place, reason: String },
     /// Brackets within brackets.
     TooDeep,
-    /// Aliases of YAML that stand for more than any calibration holds.
+    /// More numbers, also by aliases of YAML, than any calibration holds.
     TooMuch,
     /// A word or nothing where a number belongs.
     NotANumber {

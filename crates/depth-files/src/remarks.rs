@@ -3,7 +3,7 @@
 use crate::baseline::Guess;
 use crate::format::Format;
 use crate::place::Origin;
-use crate::sentences::shown;
+use crate::sentences::{in_one_line, shown};
 use crate::warning::{Statement, Warning};
 use std::fmt;
 
@@ -16,9 +16,14 @@ impl fmt::Display for Warning {
 impl Warning {
     /// The sentence, with `names` for the files in their order.
     pub fn sentence(&self, names: &[&str]) -> String {
-        if self.is_of_pair() {
-            return self.of_pair(names);
-        }
+        in_one_line(&if self.is_of_pair() {
+            self.of_pair(names)
+        } else {
+            self.of_files(names)
+        })
+    }
+
+    fn of_files(&self, names: &[&str]) -> String {
         match self {
             Self::RectificationUnusable { why } => {
                 format!("The rectification cannot be used: {why}. What was measured of the raw images is taken instead; rectify anew.")

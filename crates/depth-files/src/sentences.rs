@@ -16,9 +16,13 @@ impl fmt::Display for Refusal {
 impl Refusal {
     /// The sentence, with `names` for the files in their order.
     pub fn sentence(&self, names: &[&str]) -> String {
+        in_one_line(&self.text(names))
+    }
+
+    fn text(&self, names: &[&str]) -> String {
         match self {
             Self::Empty => "The file is empty.".to_owned(),
-            Self::TooLarge => "The file is larger than any calibration: more than 16 MB.".to_owned(),
+            Self::TooLarge { megabytes } => format!("The file is larger than any calibration: more than {megabytes} MB."),
             Self::Binary { what: Some(what), todo } => format!("This is {what}, not text. {todo}"),
             Self::Binary { what: None, todo } => format!("This is a binary file, not a calibration in text. {todo}"),
             Self::Other { what, todo } => format!("This is {what}. {todo}"),
@@ -28,7 +32,7 @@ impl Refusal {
                 format!("{line} is not {what} ({reason}): the file may be truncated, or a line in it be damaged.")
             }
             Self::TooDeep => "It is nested too deeply for a calibration: brackets within brackets.".to_owned(),
-            Self::TooMuch => "Its aliases stand for more numbers than any calibration has.".to_owned(),
+            Self::TooMuch => "It holds more numbers than any calibration has, or its aliases stand for so many.".to_owned(),
             Self::Mixed { formats: [first, second] } => format!(
                 "These files do not go together: one is {}, another {}. Give the two of one pair.",
                 first.title(),
@@ -135,6 +139,11 @@ fn decimal_comma(text: &str) -> Option<String> {
     let are_digits = !part.is_empty() && part.starts_with(|one: char| one.is_ascii_digit());
     let point = format!("{whole}.{part}");
     crate::number::number(&point).filter(|_| are_digits).map(|_| point)
+}
+
+/// A text in which a file is quoted, without its ends of lines and what else cannot be seen.
+pub(crate) fn in_one_line(text: &str) -> String {
+    text.chars().map(|one| if one.is_control() { ' ' } else { one }).collect()
 }
 
 /// With a capital letter.

@@ -1,7 +1,7 @@
 //! Files of lines.
 
 use crate::format::Format;
-use crate::number::numbers;
+use crate::number::first_numbers;
 use crate::place::Place;
 use crate::refusal::Refusal;
 
@@ -25,27 +25,25 @@ pub(crate) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> + Clone {
 impl Line<'_> {
     /// As many numbers as are expected, and nothing else.
     pub(crate) fn array<const N: usize>(self, text: &str, format: Format, name: &str, expected: &'static str) -> Result<[f64; N], Refusal> {
-        let all = numbers(text).ok_or_else(|| Refusal::NotANumber {
+        let not_a_number = |text: &str| Refusal::NotANumber {
             format,
             name: name.to_owned(),
             place: self.place,
             text: text.trim().chars().take(40).collect(),
-        })?;
-        let count = all.len();
-        if let Some(number) = all.iter().find(|number| !number.is_finite()) {
-            return Err(Refusal::NotANumber {
+        };
+        let (count, all) = first_numbers::<N>(text).ok_or_else(|| not_a_number(text))?;
+        if count != N {
+            return Err(Refusal::Count {
                 format,
                 name: name.to_owned(),
                 place: self.place,
-                text: number.to_string(),
+                count,
+                expected: expected.to_owned(),
             });
         }
-        <[f64; N]>::try_from(all).map_err(|_| Refusal::Count {
-            format,
-            name: name.to_owned(),
-            place: self.place,
-            count,
-            expected: expected.to_owned(),
-        })
+        match all.iter().find(|number| !number.is_finite()) {
+            Some(number) => Err(not_a_number(&number.to_string())),
+            None => Ok(all),
+        }
     }
 }

@@ -7,11 +7,21 @@ use saphyr_parser::{Event, Parser, ScanError, Span, StrInput};
 
 /// No calibration nests deeper: OpenCV’s have three levels, DepthAI’s eight.
 const DEEPEST: usize = 64;
-/// No calibration holds more: point lists of OpenCV have 10 000 numbers.
-const MOST: usize = 2_000_000;
+/// No calibration holds more numbers and names: point lists of OpenCV have 10 000, a scene of a thousand images 30 000.
+const MOST: usize = 200_000;
+/// Nor more between them: a scene of a thousand images has 30 000.
+const MOST_SEPARATORS: usize = 100_000;
+/// Nor lines: with a number in each it has 60 000.
+const MOST_LINES: usize = 200_000;
 
 /// Every document that holds something in `text`, which is the `file`th.
 pub(crate) fn documents(text: &str, file: usize) -> Result<Vec<Node>, Refusal> {
+    // The parser keeps all of a list that may be the key of a map, before anything of it is counted here.
+    let count = |signs: &[u8]| text.bytes().filter(|byte| signs.contains(byte)).count();
+    if count(b",:[{") > MOST_SEPARATORS || text.lines().count() > MOST_LINES {
+        let open = count(b"[{").saturating_sub(count(b"]}"));
+        return Err(if open > DEEPEST { Refusal::TooDeep } else { Refusal::TooMuch });
+    }
     let repaired = repaired(text);
     let mut builder = Builder {
         file,
@@ -47,15 +57,16 @@ fn syntax(text: &str, file: usize, error: &ScanError) -> Refusal {
 /// What a parser of YAML 1.2 reads, line for line: without OpenCV’s header and its tags, with the blank behind a colon that OpenCV does not
 /// ask for, and with blanks for tabs.
 fn repaired(text: &str) -> String {
-    let lines = text.lines().map(|line| {
-        // A list goes on further in than its key stands, which one blank would not be.
-        let line = line.replace('\t', "        ");
-        if line.starts_with('%') {
-            return String::new();
+    let mut all = String::with_capacity(text.len());
+    for line in text.lines() {
+        if !line.starts_with('%') {
+            // A list goes on further in than its key stands, which one blank would not be; of so many tabs that is no question.
+            let blanks = if all.len() > 2 * text.len() { " " } else { "        " };
+            all.push_str(&spaced(&untagged(&line.replace('\t', blanks))));
         }
-        spaced(&untagged(&line))
-    });
-    lines.collect::<Vec<_>>().join("\n")
+        all.push('\n');
+    }
+    all
 }
 
 fn untagged(line: &str) -> String {

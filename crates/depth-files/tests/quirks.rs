@@ -141,9 +141,9 @@ fn every_quirk_is_read_or_refused_as_it_should_be() {
 }
 
 #[test]
-fn files_of_ten_megabytes_and_deep_brackets_are_refused_in_a_sentence() {
+fn files_of_megabytes_and_deep_brackets_are_refused_in_a_sentence() {
     let zeros = vec![0; 10 << 20];
-    let row = [b"P0: ".to_vec(), b"0 ".repeat(5_000_000)].concat();
+    let row = [b"P0: ".to_vec(), b"0 ".repeat(2_000_000)].concat();
     let brackets = b"[".repeat(200_000);
     for (bytes, word) in [(zeros, "binary"), (row, "12"), (brackets, "deep")] {
         let refusal = read(&[&bytes]).unwrap_err().to_string();

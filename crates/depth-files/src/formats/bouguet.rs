@@ -17,6 +17,8 @@ use crate::warning::Warning;
 use depth_core::quantity::Pixels;
 
 const FORMAT: Format = Format::Bouguet;
+/// The toolbox prints eleven at a time: nobody keeps so many runs.
+const MOST_ASSIGNMENTS: usize = 1_000;
 /// How many standard deviations an error of the toolbox is.
 const SIGMAS: f64 = 3.0;
 
@@ -131,6 +133,9 @@ fn assignments(text: &str) -> Vec<Assignment<'_>> {
     let mut is_open = false;
     for line in lines(text) {
         for code in statements(line.text, is_open) {
+            if all.len() >= MOST_ASSIGNMENTS {
+                return all;
+            }
             let assigned = code.split_once('=').and_then(|(before, rest)| {
                 let name = before.split_whitespace().next_back()?;
                 Some((name, rest))

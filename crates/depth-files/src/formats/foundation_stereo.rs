@@ -13,12 +13,18 @@ use crate::text::{Line, lines};
 use crate::warning::Warning;
 
 const FORMAT: Format = Format::FoundationStereo;
+/// A file with more lines is another.
+const MOST_ROWS: usize = 20;
 
 /// Whether there are only numbers, of which the first nine, in one line or in three, are a camera matrix. A list of JSON is none, what NumPy
 /// prints is one.
 pub(crate) fn is_foundation_stereo(text: &str) -> bool {
     let is_json = text.trim_start().starts_with('[') && text.contains(',');
-    let all: Option<Vec<Vec<f64>>> = rows(text).iter().map(|line| numbers(line.text)).collect();
+    let rows = rows(text);
+    if rows.len() > MOST_ROWS {
+        return false;
+    }
+    let all: Option<Vec<Vec<f64>>> = rows.iter().map(|line| numbers(line.text)).collect();
     let Some(all) = all.filter(|_| !is_json) else { return false };
     let first: Vec<f64> = match all.as_slice() {
         [first, ..] if first.len() == 9 => first.clone(),
@@ -29,9 +35,10 @@ pub(crate) fn is_foundation_stereo(text: &str) -> bool {
         if [*zero, *a, *b, *one] == [0.0, 0.0, 0.0, 1.0] && fx.abs() > 1.0 && fy.abs() > 1.0)
 }
 
-/// The lines that are no remark.
+/// The lines that are no remark: no more than are needed to see that there are too many.
 fn rows(text: &str) -> Vec<Line<'_>> {
-    lines(text).filter(|line| !line.text.starts_with('#')).collect()
+    let all = lines(text).filter(|line| !line.text.starts_with('#'));
+    all.take(MOST_ROWS + 1).collect()
 }
 
 pub(super) fn read(text: &str) -> Result<Found, Refusal> {

@@ -7,11 +7,12 @@ use crate::camera::Basis;
 use crate::checks::{camera, in_meters, read_doffs};
 use crate::format::Format;
 use crate::found::Found;
-use crate::number::numbers;
+use crate::number::first_numbers;
 use crate::place::Place;
 use crate::refusal::Refusal;
 use crate::text::{Line, lines};
 use crate::warning::Warning;
+use std::collections::HashMap;
 
 const FORMAT: Format = Format::Kitti;
 /// KITTI has four.
@@ -20,7 +21,7 @@ const MOST_CAMERAS: usize = 12;
 /// Whether a line is a projection matrix: `P0:`, `P_rect_02:`, or two lines and more of twelve numbers without a name.
 pub(crate) fn is_kitti(text: &str) -> bool {
     let has_names = lines(text).any(|line| named(line).is_some());
-    let is_row = |line: Line<'_>| numbers(line.text).is_some_and(|row| row.len() == 12);
+    let is_row = |line: Line<'_>| first_numbers::<0>(line.text).is_some_and(|(count, _)| count == 12);
     let mut all = lines(text);
     has_names || (all.clone().count() >= 2 && all.all(is_row))
 }
@@ -45,34 +46,31 @@ fn named(line: Line<'_>) -> Option<[&str; 3]> {
 }
 
 pub(super) fn read(text: &str) -> Result<Found, Refusal> {
+    let sizes = sizes(text);
     let mut rows: Vec<Row> = Vec::new();
-    for line in lines(text) {
-        if let Some([name, number, values]) = named(line) {
-            let projection = Projection::new(line.array(values, FORMAT, name, "12")?);
-            rows.push(Row {
-                number: number.to_owned(),
-                name: name.to_owned(),
-                projection,
-                place: line.place,
-            });
-        }
-    }
-    if rows.is_empty() {
-        for (index, line) in lines(text).enumerate() {
-            let projection = Projection::new(line.array(line.text, FORMAT, "a row", "12")?);
-            rows.push(Row {
-                number: index.to_string(),
-                name: format!("row {}", index + 1),
-                projection,
-                place: line.place,
-            });
-        }
-    }
     let mut found = Found::of(FORMAT);
-    for row in &rows {
-        let place = (size_of(text, &row.number)?, Basis::Rectified, row.place.origin(&*row.name));
-        let name = format!("camera {}", row.number);
-        found.add(camera(FORMAT, &name, row.projection.pinhole, place)?)?;
+    let has_names = lines(text).any(|line| named(line).is_some());
+    for (index, line) in lines(text).enumerate() {
+        let number = index.to_string();
+        let row = format!("row {}", index + 1);
+        let [name, number, values] = match named(line) {
+            Some(named) => named,
+            None if has_names => continue,
+            None => [&row, &number, line.text],
+        };
+        let projection = Projection::new(line.array(values, FORMAT, name, "12")?);
+        let size = match sizes.get(number) {
+            Some((line, values)) => size(line.array(values, FORMAT, "S_rect", "2")?),
+            None => None,
+        };
+        let place = (size, Basis::Rectified, line.place.origin(name));
+        found.add(camera(FORMAT, &format!("camera {number}"), projection.pinhole, place)?)?;
+        rows.push(Row {
+            number: number.to_owned(),
+            name: name.to_owned(),
+            projection,
+            place: line.place,
+        });
     }
     read_pairs(&mut found, &rows)?;
     Ok(found)
@@ -121,12 +119,13 @@ fn measure(two: &mut Found, left: &Row, right: &Row) {
     }
 }
 
-/// The size of the rectified images of a camera.
-fn size_of(text: &str, number: &str) -> Result<Option<[u32; 2]>, Refusal> {
-    let name = format!("S_rect_{number}:");
-    let line = lines(text).find(|line| line.text.starts_with(&name));
-    line.map_or(Ok(None), |line| {
-        let values = line.text.get(name.len()..).unwrap_or_default();
-        Ok(size(line.array(values, FORMAT, "S_rect", "2")?))
-    })
+/// The lines with the sizes of the rectified images, by the numbers of the cameras.
+fn sizes(text: &str) -> HashMap<&str, (Line<'_>, &str)> {
+    let mut all = HashMap::new();
+    for line in lines(text) {
+        if let Some((number, values)) = line.text.strip_prefix("S_rect_").and_then(|rest| rest.split_once(':')) {
+            all.entry(number).or_insert((line, values));
+        }
+    }
+    all
 }

@@ -33,6 +33,8 @@ use crate::format::Format;
 use crate::found::Found;
 use crate::node::Node;
 use crate::refusal::Refusal;
+use crate::sentences::in_one_line;
+use crate::text::lines;
 
 pub(crate) use bouguet::is_bouguet;
 pub(crate) use colmap::is_colmap;
@@ -49,13 +51,30 @@ pub(crate) fn read(files: &[File]) -> Result<Found, Refusal> {
         [File::Lines(format, text)] => of_lines(*format, text)?,
         _ => of_trees(files)?,
     };
+    if found.cameras.is_empty() {
+        let format = found.format;
+        return Err(Refusal::Missing { format, what: "camera" });
+    }
+    let cameras = found.cameras.len();
+    found.pair = found.pair.filter(|pair| pair.iter().all(|at| *at < cameras));
+    for camera in &mut found.cameras {
+        camera.name = in_one_line(&camera.name);
+        camera.model = camera.model.as_deref().map(in_one_line);
+        camera.origin.how = in_one_line(&camera.origin.how);
+    }
     checks::split_sides(&mut found);
     found.complete();
     checks::remark(&mut found);
     Ok(found)
 }
 
+/// No calibration has more: `rs-enumerate-devices` prints 10 000.
+const MOST_LINES: usize = 100_000;
+
 fn of_lines(format: Format, text: &str) -> Result<Found, Refusal> {
+    if lines(text).count() > MOST_LINES {
+        return Err(Refusal::TooMuch);
+    }
     match format {
         Format::Middlebury => middlebury::read(text),
         Format::Kitti => kitti::read(text),
@@ -72,10 +91,10 @@ fn of_lines(format: Format, text: &str) -> Result<Found, Refusal> {
 type Documents<'a> = Vec<(Format, &'a Node)>;
 
 fn of_trees(files: &[File]) -> Result<Found, Refusal> {
-    let (lines, mut documents) = known(files)?;
-    if let Some(format) = lines.first().copied() {
+    let (of_lines, mut documents) = known(files)?;
+    if let Some(format) = of_lines.first().copied() {
         // These have all cameras in one file.
-        let mut others = lines.into_iter().chain(documents.iter().map(|(format, _)| *format));
+        let mut others = of_lines.into_iter().chain(documents.iter().map(|(format, _)| *format));
         return Err(match others.find(|other| *other != format) {
             Some(other) => Refusal::Mixed { formats: [format, other] },
             None => Refusal::OneFile { format },
@@ -123,10 +142,10 @@ fn of_trees(files: &[File]) -> Result<Found, Refusal> {
 /// The formats of the files of lines, and the documents of the others with their formats.
 fn known(files: &[File]) -> Result<(Vec<Format>, Documents<'_>), Refusal> {
     let mut documents = Documents::new();
-    let mut lines = Vec::new();
+    let mut of_lines = Vec::new();
     for file in files {
         match file {
-            File::Lines(format, _) => lines.push(*format),
+            File::Lines(format, _) => of_lines.push(*format),
             File::Trees(all) => {
                 let known = all.iter().filter_map(|document| Some((format_of(document)?, document)));
                 let before = documents.len();
@@ -141,7 +160,7 @@ fn known(files: &[File]) -> Result<(Vec<Format>, Documents<'_>), Refusal> {
             }
         }
     }
-    Ok((lines, documents))
+    Ok((of_lines, documents))
 }
 
 /// Whose file a document is, by what only they write.

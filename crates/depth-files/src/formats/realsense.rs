@@ -12,6 +12,7 @@ use crate::place::Place;
 use crate::refusal::Refusal;
 use crate::text::{Line, lines};
 use crate::warning::Warning;
+use std::borrow::Cow;
 
 const FORMAT: Format = Format::RealSense;
 const HEAD: &str = "Intrinsic of \"";
@@ -23,14 +24,18 @@ pub(crate) fn is_realsense(text: &str) -> bool {
 }
 
 /// A line without what makes a comment or a text of it.
-fn plain(text: &str) -> String {
+fn plain(text: &str) -> Cow<'_, str> {
     let text = text.trim_start_matches(|one: char| one.is_whitespace() || "#/*>|'\"`".contains(one));
     let text = text.trim_end_matches(|one: char| one.is_whitespace() || "'`,".contains(one));
     // The names of the streams are in quotes, which are even in number.
     let is_odd = text.replace("\\\"", "").matches('"').count() % 2 == 1;
     let text = text.strip_suffix('"').filter(|_| is_odd).unwrap_or(text);
     let text = text.strip_suffix("\\n").unwrap_or(text);
-    text.replace("\\\"", "\"").replace("\\t", "\t")
+    if text.contains('\\') {
+        Cow::Owned(text.replace("\\\"", "\"").replace("\\t", "\t"))
+    } else {
+        Cow::Borrowed(text)
+    }
 }
 
 /// A stream, of which there is one for each size and format of its images.
@@ -40,7 +45,7 @@ struct Stream {
 }
 
 pub(super) fn read(text: &str) -> Result<Found, Refusal> {
-    let plain: Vec<(Place, String)> = lines(text).map(|line| (line.place, plain(line.text))).collect();
+    let plain: Vec<(Place, Cow<'_, str>)> = lines(text).map(|line| (line.place, plain(line.text))).collect();
     let all: Vec<Line<'_>> = plain.iter().map(|(place, text)| Line { place: *place, text }).collect();
     let mut streams = Vec::new();
     for (index, line) in all.iter().enumerate() {

@@ -11,6 +11,8 @@ use crate::place::Place;
 use crate::refusal::Refusal;
 use crate::warning::Warning;
 
+/// Cameras of a rig that stand farther apart in their file are no pair.
+const FARTHEST: usize = 64;
 /// Models of a fisheye lens that come after a pinhole.
 const FISHEYES: [&str; 2] = ["equidistant", "fov"];
 
@@ -89,7 +91,10 @@ pub(super) struct Station {
 
 /// Makes pairs of all cameras that the stations say something between, those that follow each other first.
 pub(super) fn pair_up(found: &mut Found, stations: &[Station]) -> Result<(), Refusal> {
-    for step in 1..stations.len().min(64) {
+    for step in 1..stations.len().min(FARTHEST) {
+        if found.has_all_pairs() {
+            break;
+        }
         for (at, from_here) in stations.windows(step + 1).enumerate() {
             let Some(relation) = Relation::of(from_here) else { continue };
             found.pair_up([at, at + step], |two| relation.measure(two))?;
