@@ -2,7 +2,6 @@
 
 use crate::binary;
 use crate::format::Format;
-use crate::formats::FTC_ROOT;
 use crate::node::{Node, Value};
 use crate::refusal::Refusal;
 use crate::xml;
@@ -15,6 +14,9 @@ const LARGEST_TEXT: usize = 4 << 20;
 const TOO_LARGE: Refusal = Refusal::TooLarge {
     megabytes: LARGEST_TEXT >> 20,
 };
+
+/// The first element of a file of FTC.
+pub(crate) const FTC_ROOT: &str = "Calibrations";
 
 /// What a file is written in.
 pub(crate) enum File {

@@ -4,6 +4,7 @@
 
 use super::matrix::size;
 use crate::camera::{Basis, Camera};
+use crate::carrier::FTC_ROOT;
 use crate::checks::{camera, coefficients};
 use crate::format::Format;
 use crate::found::Found;
@@ -14,12 +15,10 @@ use crate::text::Line;
 use crate::warning::Warning;
 
 const FORMAT: Format = Format::Ftc;
-/// The first element of such a file.
-pub(crate) const ROOT: &str = "Calibrations";
 
 pub(super) fn read(document: &Node) -> Result<Found, Refusal> {
     let mut found = Found::of(FORMAT);
-    let root = document.get(ROOT).into_iter();
+    let root = document.get(FTC_ROOT).into_iter();
     let cameras = root.flat_map(Node::entries).filter(|(name, _)| *name == "Camera");
     for (_, node) in cameras {
         let id = [get(node, "vid"), get(node, "pid")].map(|part| part.and_then(Node::text).unwrap_or("?"));

@@ -27,7 +27,7 @@ mod unnamed;
 mod vins;
 mod zed;
 
-use crate::carrier::File;
+use crate::carrier::{FTC_ROOT, File};
 use crate::checks;
 use crate::format::Format;
 use crate::found::Found;
@@ -39,7 +39,6 @@ use crate::text::lines;
 pub(crate) use bouguet::is_bouguet;
 pub(crate) use colmap::is_colmap;
 pub(crate) use foundation_stereo::is_foundation_stereo;
-pub(crate) use ftc::ROOT as FTC_ROOT;
 pub(crate) use kitti::is_kitti;
 pub(crate) use numpy::{document as numpy, is_numpy};
 pub(crate) use realsense::is_realsense;

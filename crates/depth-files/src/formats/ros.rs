@@ -90,7 +90,7 @@ fn measure(two: &mut Found, [one, other]: [Projection; 2]) {
     if length > 0.0 {
         let baseline = in_meters(length, &mut two.warnings);
         if let [first, second] = two.cameras.as_slice() {
-            let (names, camera) = names(first, second, other);
+            let (names, camera) = names(first, second, [one, other]);
             let how = how(names.each_ref().map(String::as_str), [one, other]);
             let origin = camera.origin.place().origin(how);
             two.measure(baseline, origin);
@@ -100,16 +100,17 @@ fn measure(two: &mut Found, [one, other]: [Projection; 2]) {
 }
 
 /// What to call the matrices of two cameras, which have the same name in both files, and the camera whose matrix has the baseline.
-fn names<'a>(first: &'a Camera, second: &'a Camera, right: Projection) -> ([String; 2], &'a Camera) {
+fn names<'a>(first: &'a Camera, second: &'a Camera, [one, other]: [Projection; 2]) -> ([String; 2], &'a Camera) {
     let names = [first, second].map(|camera| {
         let matrix = &camera.origin.how;
-        if first.name == second.name {
+        if one.shift == [0.0; 2] || other.shift == [0.0; 2] {
+            // Only one of them is named.
             matrix.clone()
         } else {
             format!("{matrix} of {}", camera.name)
         }
     });
-    (names, if right.shift == [0.0; 2] { first } else { second })
+    (names, if other.shift == [0.0; 2] { first } else { second })
 }
 
 /// The right camera of a pair has the baseline in its P.
