@@ -117,6 +117,25 @@ fn a_file_of_matlab_is_refused_with_the_line_that_exports_it() {
 }
 
 #[test]
+fn what_is_wrong_in_a_file_without_lines_is_said_without_a_line() {
+    let mut bytes = Vec::new();
+    let mut header = b"\x93NUMPY\x01\x00\x3b\x00{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }  \n".to_vec();
+    header.extend([0; 48]);
+    let mut archive = rawzip::ZipArchiveWriter::new(&mut bytes);
+    let (mut entry, config) = archive.new_file("mtx.npy").start().unwrap();
+    let mut writer = config.wrap(&mut entry);
+    std::io::Write::write_all(&mut writer, &header).unwrap();
+    let (_, descriptor) = writer.finish().unwrap();
+    entry.finish(descriptor).unwrap();
+    archive.finish().unwrap();
+    let sentence = read(&[&bytes]).unwrap_err().to_string();
+    assert!(
+        sentence.contains("in the file the camera matrix has 6 numbers, not 9"),
+        "{sentence}"
+    );
+}
+
+#[test]
 fn a_damaged_archive_is_refused_as_one() {
     let whole = bytes("numpy/mono.npz");
     let mut cut = whole.clone();
