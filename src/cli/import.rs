@@ -154,7 +154,15 @@ impl Import {
         let mut text = format!("{}\n", found.format.title());
         let names = self.names();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        let told = |origin: &Origin| [origin.how.clone(), origin.place().words(&names)].join(", ");
+        let told = |origin: &Origin| {
+            let place = origin.place().words(&names);
+            // An archive has no lines.
+            if place.is_empty() {
+                origin.how.clone()
+            } else {
+                format!("{}, {place}", origin.how)
+            }
+        };
         let comes_from = |origin: &Option<Origin>| origin.as_ref().map_or_else(String::new, |origin| format!(", {}", told(origin)));
         for (at, camera) in found.cameras.iter().enumerate() {
             let size = camera

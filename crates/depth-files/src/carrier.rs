@@ -1,7 +1,8 @@
 //! What the bytes of a file are: text, XML, or something that is known and no calibration.
 
+use crate::binary;
 use crate::format::Format;
-use crate::node::Node;
+use crate::node::{Node, Value};
 use crate::refusal::Refusal;
 use crate::xml;
 
@@ -14,11 +15,14 @@ const TOO_LARGE: Refusal = Refusal::TooLarge {
     megabytes: LARGEST_TEXT >> 20,
 };
 
+/// The first element of a file of FTC.
+pub(crate) const FTC_ROOT: &str = "Calibrations";
+
 /// What a file is written in.
 pub(crate) enum File {
     /// Lines of a format that has no other structure.
     Lines(Format, String),
-    /// YAML, JSON or XML: each document.
+    /// YAML, JSON or XML: each document; or arrays of NumPy.
     Trees(Vec<Node>),
 }
 
@@ -32,13 +36,17 @@ pub(crate) fn of_xml(text: &str, file: usize) -> Result<File, Refusal> {
             todo: "Give the file that the calibration wrote.",
         }),
         "opencv_storage" => Ok(File::Trees(vec![node])),
+        FTC_ROOT => {
+            let place = node.place;
+            let value = Value::Map(vec![(root, node)]);
+            Ok(File::Trees(vec![Node { place, value }]))
+        }
         _ => Err(Refusal::Unknown),
     }
 }
 
 /// The text in `bytes`, with `\n` at the end of each line.
 pub(crate) fn text(bytes: &[u8]) -> Result<String, Refusal> {
-    const EXPORT: &str = "Write its numbers into a text file, such as JSON.";
     if bytes.len() > LARGEST {
         return Err(Refusal::TooLarge { megabytes: LARGEST >> 20 });
     }
@@ -48,21 +56,8 @@ pub(crate) fn text(bytes: &[u8]) -> Result<String, Refusal> {
     if let Some(text) = utf_16(bytes)? {
         return Ok(with_plain_ends(text));
     }
-    let what = match bytes {
-        [b'P', b'K', 3, 4, ..] => Some("an archive, as NumPy’s .npz"),
-        [0x93, b'N', b'U', b'M', b'P', b'Y', ..] => Some("an array of NumPy"),
-        bytes if bytes.starts_with(b"MATLAB 5.0 MAT-file") => Some("a file of MATLAB"),
-        // The number of cameras, of 64 bits.
-        [_, _, 0, 0, 0, 0, 0, 0, _, ..] => {
-            return Err(Refusal::Binary {
-                what: Some("cameras.bin of COLMAP, its binary form"),
-                todo: "Export it as text: colmap model_converter --output_type TXT.",
-            });
-        }
-        _ => None,
-    };
-    if what.is_some() || bytes.contains(&0) {
-        return Err(Refusal::Binary { what, todo: EXPORT });
+    if let Some(refusal) = binary::refusal(bytes) {
+        return Err(refusal);
     }
     if bytes.len() > LARGEST_TEXT {
         return Err(TOO_LARGE);

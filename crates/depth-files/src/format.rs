@@ -23,6 +23,22 @@ pub enum Format {
     RealSense,
     /// sensor.yaml.
     Euroc,
+    /// Arrays of NumPy: .npz and .npy.
+    NumPy,
+    /// teamwebcamcalibrations.xml of FTC robots.
+    Ftc,
+    /// Cameras of VINS and camodocal, and the settings of VINS-Fusion.
+    Vins,
+    /// The calibration of an OAK camera, as DepthAI writes it.
+    DepthAi,
+    /// K.txt of FoundationStereo and BundleSDF.
+    FoundationStereo,
+    /// fx, fy, cx and cy under their names, or a matrix column by column: Open3D, RealSense, ARKit and others.
+    Intrinsics,
+    /// transforms.json of nerfstudio and instant-ngp.
+    Transforms,
+    /// Results of Bouguet’s toolbox for MATLAB, as text.
+    Bouguet,
 }
 
 impl Format {
@@ -39,6 +55,14 @@ impl Format {
             Self::Zed => "zed",
             Self::RealSense => "realsense",
             Self::Euroc => "euroc",
+            Self::NumPy => "numpy",
+            Self::Ftc => "ftc",
+            Self::Vins => "vins",
+            Self::DepthAi => "depthai",
+            Self::FoundationStereo => "foundationstereo",
+            Self::Intrinsics => "intrinsics",
+            Self::Transforms => "transforms",
+            Self::Bouguet => "bouguet",
         }
     }
 
@@ -55,6 +79,14 @@ impl Format {
             Self::Zed => "a calibration of a ZED camera",
             Self::RealSense => "what rs-enumerate-devices prints",
             Self::Euroc => "a sensor.yaml of EuRoC",
+            Self::NumPy => "a file of NumPy",
+            Self::Ftc => "a teamwebcamcalibrations.xml of FTC",
+            Self::Vins => "a camera file of VINS or camodocal",
+            Self::DepthAi => "a calibration of an OAK camera",
+            Self::FoundationStereo => "a K.txt of FoundationStereo",
+            Self::Intrinsics => "a file of intrinsics",
+            Self::Transforms => "a transforms.json of nerfstudio or instant-ngp",
+            Self::Bouguet => "a result of Bouguet’s calibration toolbox",
         }
     }
 }

@@ -17,6 +17,10 @@ pub(crate) struct Transform {
 }
 
 impl Transform {
+    pub(crate) const fn new(rotation: [Vector; 3], shift: Vector) -> Self {
+        Self { rotation, shift }
+    }
+
     /// Of a 4 × 4 matrix, row after row.
     pub(crate) fn read(node: &Node, format: Format, name: &str) -> Result<Self, Refusal> {
         let [a, b, c, x, d, e, f, y, g, h, i, z, ..] = node.array::<16>(format, name, "16")?;
@@ -67,4 +71,24 @@ pub(crate) fn distance(from: Vector, to: Vector) -> f64 {
 
 pub(crate) fn length([x, y, z]: Vector) -> f64 {
     x.hypot(y).hypot(z)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Transform, distance, length};
+
+    /// A quarter turn about the axis of sight, and a shift: in a drawing, x goes to y and y to −x.
+    const QUARTER: Transform = Transform::new([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], [1.0, 2.0, 3.0]);
+
+    #[test]
+    fn there_and_back_is_nowhere_else() {
+        assert!(length(QUARTER.inverse().after(QUARTER).shift) < 1e-15);
+        assert!(length(QUARTER.after(QUARTER.inverse()).shift) < 1e-15);
+    }
+
+    #[test]
+    fn the_second_of_two_steps_turns_the_first() {
+        // (1, 2, 3) turned is (−2, 1, 3); with (1, 2, 3) more it is (−1, 3, 6).
+        assert!(distance(QUARTER.after(QUARTER).shift, [-1.0, 3.0, 6.0]) < 1e-15);
+    }
 }

@@ -7,6 +7,7 @@
 //! ```
 
 mod baseline;
+mod binary;
 mod camera;
 mod carrier;
 mod checks;

@@ -1,14 +1,17 @@
 //! What a file is written in, by what is in it.
 
-use crate::carrier::{File, of_xml, text};
+use crate::carrier::{File, LARGEST, of_xml, text};
 use crate::format::Format;
-use crate::formats::{is_colmap, is_kitti, is_realsense};
+use crate::formats::{is_bouguet, is_colmap, is_foundation_stereo, is_kitti, is_numpy, is_realsense, numpy};
 use crate::refusal::Refusal;
 use crate::text::lines;
 use crate::yaml;
 
 /// What `bytes` are, which are the `file`th.
 pub(crate) fn read(bytes: &[u8], file: usize) -> Result<File, Refusal> {
+    if is_numpy(bytes) && bytes.len() <= LARGEST {
+        return Ok(File::Trees(vec![numpy(bytes, file)?]));
+    }
     let text = text(bytes)?;
     let start = text.trim_start();
     if start.is_empty() {
@@ -34,8 +37,8 @@ pub(crate) fn read(bytes: &[u8], file: usize) -> Result<File, Refusal> {
         return Ok(File::Lines(format, text));
     }
     let documents = yaml::documents(&text, file)?;
-    let has_maps = documents.iter().any(|document| document.entries().next().is_some());
-    if has_maps {
+    // Prose is a text of YAML.
+    if documents.iter().any(|document| document.text().is_none()) {
         Ok(File::Trees(documents))
     } else {
         Err(Refusal::Unknown)
@@ -68,6 +71,12 @@ fn of_lines(text: &str) -> Option<Format> {
     }
     if is_kitti(text) {
         return Some(Format::Kitti);
+    }
+    if is_foundation_stereo(text) {
+        return Some(Format::FoundationStereo);
+    }
+    if is_bouguet(text) {
+        return Some(Format::Bouguet);
     }
     is_colmap(text).then_some(Format::Colmap)
 }

@@ -15,6 +15,8 @@ pub enum Refusal {
     Binary { what: Option<&'static str>, todo: &'static str },
     /// Something that is known, and no calibration: what, and what to do.
     Other { what: &'static str, todo: &'static str },
+    /// An archive or array that ends early or contradicts itself: what, and why.
+    Damaged { what: &'static str, reason: String },
     /// It ends early, or is not what it begins as.
     Syntax { what: &'static str, place: Place, reason: String },
     /// Brackets within brackets.
@@ -80,3 +82,19 @@ impl Refusal {
 }
 
 impl std::error::Error for Refusal {}
+
+impl Refusal {
+    /// The same of a file of another format, whose meaning was read as that of this one.
+    pub(crate) fn of(mut self, other: Format) -> Self {
+        match &mut self {
+            Self::NotANumber { format, .. }
+            | Self::Count { format, .. }
+            | Self::Missing { format, .. }
+            | Self::NotPinhole { format, .. }
+            | Self::NotQ { format, .. }
+            | Self::FocalLength { format, .. } => *format = other,
+            _ => {}
+        }
+        self
+    }
+}

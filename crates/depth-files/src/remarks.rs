@@ -35,6 +35,9 @@ impl Warning {
             Self::Fisheye { camera, model } => {
                 format!("{camera}: {model} is a model of a fisheye lens. Its focal length holds only after the images were undistorted.")
             }
+            Self::NoPrincipalPoint { camera } => format!(
+                "{camera}: the file has no principal point (cx, cy). The center of the image is taken, from which it may be some percent away."
+            ),
             Self::FocalLength { fx, width } => format!(
                 "A focal length of {} px is hardly one for an image {width} px wide: is it in mm?",
                 fx.px()
@@ -104,6 +107,10 @@ impl Warning {
                 pair: Some([left, right]),
             } => format!("There are {cameras} cameras: {left} and {right} are taken as the pair."),
             Self::OneOfPair { other } => format!("This is one camera of a pair: for the baseline give the file {other} as well."),
+            Self::ByDesign => {
+                "The cameras are not calibrated: what is between them is how they were designed (specTranslation), not what was measured."
+                    .to_owned()
+            }
             Self::NoExtrinsics => "The baseline is not in it: give the file of the extrinsics as well.".to_owned(),
             _ => "There is no baseline in it.".to_owned(),
         }

@@ -26,6 +26,7 @@ impl Refusal {
             Self::Binary { what: Some(what), todo } => format!("This is {what}, not text. {todo}"),
             Self::Binary { what: None, todo } => format!("This is a binary file, not a calibration in text. {todo}"),
             Self::Other { what, todo } => format!("This is {what}. {todo}"),
+            Self::Damaged { what, reason } => format!("This is {what}, but it is truncated or damaged: {reason}."),
             Self::Syntax { what, place, reason } => {
                 let line = upper(&place.words(names));
                 format!("{line} is not {what} ({reason}): the file may be truncated, or a line in it be damaged.")
@@ -72,7 +73,7 @@ impl Refusal {
         match self {
             Self::NotANumber { name, place, text, .. } => {
                 let hint = decimal_comma(text).map_or_else(String::new, |point| format!(" Write it with a point: {point}."));
-                format!("in {} “{text}” of {name} is not a number.{hint}", place.words(names))
+                format!("in {} “{text}” of {name} is not a number.{hint}", named(*place, names))
             }
             Self::Count {
                 name,
@@ -87,13 +88,13 @@ impl Refusal {
                 } else {
                     ""
                 };
-                format!("in {} {name} has {count} numbers, not {expected}.{hint}", place.words(names))
+                format!("in {} {name} has {count} numbers, not {expected}.{hint}", named(*place, names))
             }
             Self::Missing { what, .. } => format!("it has no {what}."),
             Self::NotPinhole { model, place, .. } => format!(
                 "the model “{model}” in {} is no pinhole: its first number is not a focal length. \
                  Calibrate with a pinhole model, or undistort the images and give the new camera matrix.",
-                place.words(names)
+                named(*place, names)
             ),
             Self::NotQ {
                 name,
@@ -103,10 +104,10 @@ impl Refusal {
                 ..
             } => format!(
                 "in {} {name}[{row}][{column}] is {found}, which no such matrix has.",
-                place.words(names)
+                named(*place, names)
             ),
             Self::FocalLength { fx, place, .. } => {
-                format!("in {} the focal length {fx} is not a number above zero.", place.words(names))
+                format!("in {} the focal length {fx} is not a number above zero.", named(*place, names))
             }
             _ => "it has more cameras than can be chosen among.".to_owned(),
         }
@@ -114,7 +115,7 @@ impl Refusal {
 }
 
 impl Place {
-    /// `line 12`, and of which file where there are several: `line 12 of right.yaml`.
+    /// `line 12`, and of which file where there are several: `line 12 of right.yaml`; nothing of the only file, where it has no lines.
     pub fn words(self, names: &[&str]) -> String {
         let Self { file, line } = self;
         let line = if line == 0 { String::new() } else { format!("line {line}") };
@@ -127,6 +128,12 @@ impl Place {
         let between = if line.is_empty() || of.is_empty() { "" } else { " of " };
         format!("{line}{between}{of}")
     }
+}
+
+/// A place in a sentence: a file without lines by that word.
+fn named(place: Place, names: &[&str]) -> String {
+    let words = place.words(names);
+    if words.is_empty() { "the file".to_owned() } else { words }
 }
 
 /// `700,5` with a point.

@@ -131,6 +131,13 @@ pub enum Warning {
     NoExtrinsics,
     /// A baseline that belongs to a depth camera.
     DepthCamera,
+    /// The file has no cx and cy: they are those of the center.
+    NoPrincipalPoint {
+        /// Which camera.
+        camera: String,
+    },
+    /// The baseline is how the cameras were designed, not measured.
+    ByDesign,
     /// A single camera.
     NoBaseline {
         /// Who wrote it.
@@ -147,6 +154,7 @@ impl Warning {
                 | Self::Swapped
                 | Self::Vertical
                 | Self::ZeroBaseline
+                | Self::ByDesign
                 | Self::Implausible { .. }
                 | Self::NegativeBaseline
                 | Self::Doffs { .. }
@@ -166,7 +174,10 @@ impl Warning {
     /// The camera that it is of, if it is of one.
     pub(crate) fn camera(&self) -> Option<&str> {
         match self {
-            Self::Fisheye { camera, .. } | Self::Resized { camera, .. } | Self::Binned { camera, .. } => Some(camera),
+            Self::Fisheye { camera, .. }
+            | Self::NoPrincipalPoint { camera }
+            | Self::Resized { camera, .. }
+            | Self::Binned { camera, .. } => Some(camera),
             _ => None,
         }
     }

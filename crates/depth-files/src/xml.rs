@@ -1,4 +1,4 @@
-//! XML as OpenCV writes it, as a [`Node`].
+//! XML as OpenCV writes it, and others with attributes, as a [`Node`].
 
 use crate::node::{Node, Value};
 use crate::place::Place;
@@ -73,7 +73,13 @@ impl Lines<'_> {
             file: self.file,
             line: self.line(element.range().start),
         };
-        let mut entries: Vec<(String, Node)> = Vec::new();
+        // Those that OpenCV writes say nothing that is needed.
+        let is_opencv = element.document().root_element().has_tag_name("opencv_storage");
+        let attributes = element.attributes().filter(|_| !is_opencv).map(|one| {
+            let value = Value::Text(one.value().to_owned());
+            (one.name().to_owned(), Node { place, value })
+        });
+        let mut entries: Vec<(String, Node)> = attributes.collect();
         for child in element.children().filter(roxmltree::Node::is_element) {
             entries.push((child.tag_name().name().to_owned(), self.node(child, depth + 1)?));
         }

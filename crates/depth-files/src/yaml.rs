@@ -9,14 +9,18 @@ use saphyr_parser::{Event, Parser, ScanError, Span, StrInput};
 const DEEPEST: usize = 64;
 /// No calibration holds more numbers and names: point lists of OpenCV have 10 000, a scene of a thousand images 30 000.
 const MOST: usize = 200_000;
-
+/// Nor more between them: a scene of a thousand images has 30 000.
+const MOST_SEPARATORS: usize = 100_000;
 /// PyYAML writes a line for each number, and so does `ros2 topic echo`.
 const MOST_LINES: usize = 2 * MOST;
 
 /// Every document that holds something in `text`, which is the `file`th.
 pub(crate) fn documents(text: &str, file: usize) -> Result<Vec<Node>, Refusal> {
-    if text.lines().count() > MOST_LINES {
-        return Err(Refusal::TooMuch);
+    // The parser keeps all of a list that may be the key of a map, before anything of it is counted here.
+    let count = |signs: &[u8]| text.bytes().filter(|byte| signs.contains(byte)).count();
+    if count(b",:[{") > MOST_SEPARATORS || text.lines().count() > MOST_LINES {
+        let open = count(b"[{").saturating_sub(count(b"]}"));
+        return Err(if open > DEEPEST { Refusal::TooDeep } else { Refusal::TooMuch });
     }
     let repaired = repaired(text);
     let mut builder = Builder {

@@ -21,18 +21,22 @@ pub(super) const fn of_matrix([fx, _, cx, _, fy, cy, ..]: [f64; 9]) -> Pinhole {
     [fx, fy, cx, cy]
 }
 
-/// The same of a matrix that may have rows for columns, as MATLAB has it: then its last column is 0, 0, 1, which is said.
-pub(super) fn read_matrix(matrix: [f64; 9], origin: &Origin, warnings: &mut Vec<Warning>) -> Pinhole {
-    let [fx, _, zero, _, fy, other_zero, cx, cy, one] = matrix;
+/// The same of one that comes column after column: its last column is then 0, 0, 1. Nothing of any other.
+pub(super) fn of_columns([fx, _, zero, _, fy, other_zero, cx, cy, one]: [f64; 9]) -> Option<Pinhole> {
     let is_turned = [zero, other_zero, one - 1.0] == [0.0; 3] && cx > 1.0 && cy > 1.0;
-    if !is_turned {
+    is_turned.then_some([fx, fy, cx, cy])
+}
+
+/// The same of a matrix that may have rows for columns, as MATLAB has it: which is said.
+pub(super) fn read_matrix(matrix: [f64; 9], origin: &Origin, warnings: &mut Vec<Warning>) -> Pinhole {
+    let Some(turned) = of_columns(matrix) else {
         return of_matrix(matrix);
-    }
+    };
     let warning = Warning::Transposed { origin: origin.clone() };
     if !warnings.contains(&warning) {
         warnings.push(warning);
     }
-    [fx, fy, cx, cy]
+    turned
 }
 
 /// A projection matrix that may have rows for columns: then its third column is 0, 0, 1, 0, which is said.

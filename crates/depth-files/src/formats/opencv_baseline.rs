@@ -1,5 +1,6 @@
 //! The baseline of an OpenCV calibration, which may stand in it five times over: in P, in T, in Q, and under a key with a unit or without.
 
+use super::baseline::with_unit;
 use super::opencv_names::{Matrices, Part, QS, TRANSLATIONS, find, square};
 use crate::baseline::Baseline;
 use crate::checks::{agree, in_file_units};
@@ -75,22 +76,12 @@ pub(super) fn compare(found: &mut Found, parts: &Parts<'_>) -> Result<(), Refusa
 
 /// A baseline whose key names its unit.
 fn known(parts: &Parts<'_>) -> Result<Option<Claim>, Refusal> {
-    let units = [
-        ("baselinemm", LengthUnit::Millimeter),
-        ("baselinecm", LengthUnit::Centimeter),
-        ("baselinem", LengthUnit::Meter),
-    ];
-    for (name, unit) in units {
-        if let Some(part) = find(parts, &[name]) {
-            let value = part.node.number(FORMAT, &part.name)?.abs();
-            return Ok((value > 0.0).then(|| Claim {
-                baseline: Baseline::Known(Length::new(value, unit)),
-                origin: part.origin(),
-                is_loose: false,
-            }));
-        }
-    }
-    Ok(None)
+    let known = with_unit(parts, FORMAT)?;
+    Ok(known.map(|(baseline, origin)| Claim {
+        baseline,
+        origin,
+        is_loose: false,
+    }))
 }
 
 /// A baseline whose key does not.

@@ -146,13 +146,23 @@ impl<'p, 'a> Matrices<'p, 'a> {
     }
 }
 
+/// Whether a part is a matrix, by what it is written in.
+fn is_matrix(part: &&Part<'_>) -> bool {
+    part.node.get("data").is_some() || !part.node.items().is_empty()
+}
+
+/// Whether a camera matrix or a projection matrix is in it.
+pub(super) fn has_matrix(document: &Node) -> bool {
+    let parts = parts(document);
+    let any = |matrices: Matrices<'_, '_>| matrices.first.or(matrices.second).filter(is_matrix).is_some();
+    any(Matrices::cameras(&parts)) || any(Matrices::projections(&parts))
+}
+
 /// Whether one of these names is in it, or a translation, as in a file of extrinsics alone.
 pub(super) fn is_known(document: &Node) -> bool {
     let parts = parts(document);
-    let is_matrix = |part: &&Part<'_>| part.node.get("data").is_some() || !part.node.items().is_empty();
-    let any = |matrices: Matrices<'_, '_>| matrices.first.or(matrices.second).filter(is_matrix).is_some();
     let has = |names: &[&str]| find(&parts, names).filter(is_matrix).is_some();
-    any(Matrices::cameras(&parts)) || any(Matrices::projections(&parts)) || has(&TRANSLATIONS) || has(&QS)
+    has_matrix(document) || has(&TRANSLATIONS) || has(&QS)
 }
 
 /// The size of the squares of the board, in the unit of whoever wrote it down.

@@ -1,8 +1,11 @@
 //! Good files, by their format, and bytes that no tool writes.
 
 use crate::mutate::Random;
+use miniz_oxide::deflate::compress_to_vec;
+use rawzip::{CompressionMethod, DataDescriptorOutput, ZipArchiveWriter};
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::Write;
 use std::path::Path;
 
 /// Files that are read, by the name of their format, and those that are refused.
@@ -86,6 +89,40 @@ const PARTS: &[(&str, &str)] = &[
     ("<a>", "<b/>"),
     ("<a>", "<!---->"),
     ("<a>", "&lt;"),
+    ("<Calibrations>", "<Camera/>"),
+    (
+        "<Calibrations>",
+        "<Camera><Calibration size=\"1 1\" focalLength=\"7 7\" principalPoint=\"1 1\"/></Camera>",
+    ),
+    (
+        "{\"cameraData\":[",
+        "[1,{\"extrinsics\":{\"toCameraSocket\":2,\"rotationMatrix\":[1,0,0,0,1,0,0,0,1],\"translation\":{\"x\":1}}}],",
+    ),
+    ("{\"cameraData\":[", "[1,{\"intrinsicMatrix\":[7,0,3,0,7,2,0,0,1]}],"),
+    ("- cameraData: [[1, {intrinsicMatrix: [7,0,3,0,7,2,0,0,1]}]]\n", "  a: 1\n"),
+    ("{\"frames\":[", "{\"fl_x\":7,\"cx\":1,\"cy\":2},"),
+    ("fl_x: 7\ncx: 1\ncy: 1\nframes:\n", "- a: 1\n"),
+    (
+        "model_type: PINHOLE\nprojection_parameters: {fx: 7, fy: 7, cx: 1, cy: 1}\n",
+        "body_T_cam0: 1\n",
+    ),
+    (
+        "",
+        "---\nmodel_type: PINHOLE\nprojection_parameters: {fx: 7, fy: 7, cx: 1, cy: 1}\n",
+    ),
+    ("[", "{\"fx\":7,\"cx\":1,\"cy\":2},"),
+    ("", "- {fx: 7, cx: 1, cy: 2}\n"),
+    ("{\"a\":", "{\"fx\":7,\"a\":"),
+    ("fx: 7\ncx: 1\ncy: 1\n", "baseline: 1\n"),
+    ("[", "[[7,0,3],[0,7,2],[0,0,1]],"),
+    ("7 0 3 0 7 2 0 0 1\n", "1\n"),
+    ("7 0 3 0 7 2 0 0 1\n", "1 "),
+    ("", "7 0 3 0 7 2 0 0 1\n"),
+    ("", "fc = [\n"),
+    ("", "fc=7;"),
+    ("fc=[7;7]\ncc=[3;2]\n", "fc_error=[1;1]\n"),
+    ("cc = [3;2]\nfc = [", "7 "),
+    ("cc = [3;2]\nfc = [", "7\n"),
 ];
 
 /// Each of [`PARTS`] with `length` bytes.
@@ -98,9 +135,31 @@ pub fn inflated(length: usize) -> Vec<Vec<u8>> {
     all.push(format!("<a{attributes}>").into_bytes());
     // UTF-16, of letters that are three bytes long in UTF-8.
     all.push([&b"\xff\xfe"[..], &b"\x00\x4e".repeat(length / 2)].concat());
+    all.push(archive(&vec![b'0'; 64 << 20], 1));
+    let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}) }}", "1,".repeat(20_000));
+    all.push(archive(header.as_bytes(), 1));
+    all.push(archive(b"\x93NUMPY", length / 200));
+    all.push(archive(&[b"\x93NUMPY\x01\x00\x00\x00".as_slice(), &[b'0'; 100_000]].concat(), 190));
     all.push([&b"PK\x03\x04"[..], &b"\x00".repeat(length)].concat());
     all.push([&b"\x93NUMPY\x01\x00"[..], &b"\xff".repeat(length)].concat());
     all
+}
+
+/// An archive with the same array, which is packed, under so many names.
+fn archive(array: &[u8], count: usize) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let mut archive = ZipArchiveWriter::new(&mut bytes);
+    let packed = compress_to_vec(array, 6);
+    for number in 0..count {
+        let name = format!("{number}.npy");
+        let file = archive.new_file(&name);
+        let (mut entry, _) = file.compression_method(CompressionMethod::DEFLATE).start().unwrap();
+        entry.write_all(&packed).unwrap();
+        let size = u64::try_from(array.len()).unwrap();
+        entry.finish(DataDescriptorOutput::new(rawzip::crc32(array), size)).unwrap();
+    }
+    archive.finish().unwrap();
+    bytes
 }
 
 /// A good file made large: all of it again and again, or a line of it behind it.

@@ -1,0 +1,17 @@
+(dp0
+Vmtx
+p1
+(lp2
+(lp3
+F712.5
+aI0
+aF331.25
+aa(lp4
+I0
+aF713.75
+aF244.5
+aa(lp5
+I0
+aI0
+aI1
+aas.
