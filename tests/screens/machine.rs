@@ -6,6 +6,9 @@ use depth_jobs::{Attachment, Job, Request, Run};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
+/// What comes of opening files.
+type Opened = Result<Vec<OpenedFile>, PlatformError>;
+
 /// A machine whose storage and clipboard can be looked at.
 #[derive(Clone, Default)]
 pub struct Machine {
@@ -19,7 +22,7 @@ pub struct Machine {
     pub files: Rc<RefCell<Vec<(String, FileContents)>>>,
     pub saved: Rc<RefCell<Option<Result<Place, PlatformError>>>>,
     /// What the person chooses when they are asked for files, or what was dropped.
-    pub chosen: Rc<RefCell<Option<Result<Vec<OpenedFile>, PlatformError>>>>,
+    pub chosen: Rc<RefCell<Option<Opened>>>,
     /// Whether they have been asked, or have dropped something.
     pub is_asked: Rc<Cell<bool>>,
     /// Whoever works beside the window, and whether work lies there undone.

@@ -49,6 +49,14 @@ const CHECKS: &[Check] = &[
         },
     },
     Check {
+        name: "lints, the second module",
+        work: || {
+            tools::add_target()?;
+            let module = ["--locked", "--package", "depth-jobs", "--features", "worker", "--target", WEB];
+            run(cargo(&["clippy"]).args(module).args(DENY))
+        },
+    },
+    Check {
         name: "lints, the example of egui-mirror",
         work: || {
             tools::add_target()?;

@@ -8,7 +8,7 @@ use depth_core::quantity::Pixels;
 /// Two cameras, and what the files say between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pair {
-    /// Their places in [`Found::cameras`]: the left one first, or the upper one.
+    /// Their places in [`Found::cameras`](crate::Found::cameras): the left one first, or the upper one.
     pub cameras: [usize; 2],
     /// Whether they stand one above the other.
     pub is_vertical: bool,
@@ -16,7 +16,7 @@ pub struct Pair {
     pub baseline: Option<Baseline>,
     /// Where the baseline comes from; `None` where there is none.
     pub baseline_origin: Option<Origin>,
-    /// As in [`Found::doffs`].
+    /// As in [`Found::doffs`](crate::Found::doffs).
     pub doffs: Option<Pixels>,
     /// Where doffs comes from; `None` where there is none.
     pub doffs_origin: Option<Origin>,

@@ -92,7 +92,7 @@ impl Work for ReadCalibration {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "tests")]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 mod tests {
     use super::Engine;
     use crate::protocol::{End, Failure, Job, Outcome, Report, Request};

@@ -66,7 +66,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, assessment: Option<&Assessment>)
     for command in commands {
         match command {
             // What a note offers is of the rig.
-            Command::Fix(key, entry) => super::fix(&mut cx.settings.rigs, key, entry),
+            Command::Fix(key, entry) => cx.settings.rigs.fix(key, entry),
             Command::Calculate | Command::Settle => {}
             other => cx.commands.push(other),
         }

@@ -1,6 +1,8 @@
 //! The list of rigs, as it is kept and as it leaves the program.
 
 use super::rig::{MOST, Rig};
+use depth_text::entry::Entry;
+use depth_text::field::Key;
 use serde::{Deserialize, Serialize};
 
 /// Up to [`MOST`] rigs, and the one that is shown.
@@ -49,6 +51,14 @@ impl RigList {
         self.all.get_mut(self.shown)
     }
 
+    /// Takes what a note offered for a field of the rig that is shown.
+    pub fn fix(&mut self, key: Key, entry: Entry) {
+        if let Some(rig) = self.shown_mut() {
+            rig.inputs.fill(key, entry);
+            rig.inputs.tidy(key);
+        }
+    }
+
     /// Takes out the rig at `at`.
     pub fn remove(&mut self, at: usize) -> Option<Rig> {
         let removed = (at < self.all.len()).then(|| self.all.remove(at));
@@ -92,8 +102,7 @@ pub fn letter(at: usize) -> char {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::{Rig, RigList, from_file};
-    use depth_text::entry::Entry;
+    use super::{Entry, Rig, RigList, from_file};
     use depth_text::fields;
 
     fn rig(name: &str) -> Rig {

@@ -9,14 +9,11 @@ mod rig;
 pub use list::{FILE_NAME, RigList, from_file};
 pub use rig::{MOST, Rig, number};
 
-use super::command::Command;
 use super::context::AppContext;
 use super::navigation;
 use super::theme::{self, Layout};
 use super::widgets::scroll;
 use depth_text::assess::Assessment;
-use depth_text::entry::Entry;
-use depth_text::field::Key;
 use depth_text::form::Inputs;
 use egui::{Align, Rect, Ui, UiBuilder, pos2};
 
@@ -80,30 +77,4 @@ impl Rigs {
             self.assessed = inputs.map(|inputs| (inputs.clone(), inputs.assess()));
         }
     }
-}
-
-/// Takes what a note of the editor offered, which is of the rig and not of the calculator.
-fn fix(list: &mut RigList, key: Key, entry: Entry) {
-    if let Some(rig) = list.shown_mut() {
-        rig.inputs.fill(key, entry);
-        rig.inputs.tidy(key);
-    }
-}
-
-/// The color of the rig at a place.
-fn color(palette: &theme::Palette, at: usize) -> egui::Color32 {
-    let colors = [
-        palette.blue,
-        palette.orange_text,
-        palette.green,
-        palette.red,
-        palette.amber,
-        palette.muted,
-    ];
-    colors.get(at).copied().unwrap_or(palette.text)
-}
-
-/// The command that adds a rig without numbers.
-fn new_rig() -> Command {
-    Command::AddRig(Box::default())
 }

@@ -52,7 +52,7 @@ fn row_ui(ui: &mut Ui, cx: &mut AppContext<'_>, at: usize) {
     let is_shown = cx.settings.rigs.shown == at;
     let facts = facts(rig);
     let full = ui.available_width();
-    let color = super::color(palette, at);
+    let color = palette.rig(at);
     let named = |width: f32| {
         let mut job = LayoutJob::default();
         job.append("● ", 0.0, egui::TextFormat::simple(theme::regular(theme::BODY_SIZE), color));
@@ -137,7 +137,7 @@ fn buttons_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
             }
         };
         button_ui(Command::ShowImport, true);
-        button_ui(super::new_rig(), has_room);
+        button_ui(Command::AddRig(Box::default()), has_room);
         if has_rigs {
             button_ui(Command::ExportRigs, true);
         }

@@ -116,6 +116,14 @@ pub(super) const DARK: Palette = Palette {
     ],
 };
 
+impl Palette {
+    /// The color of the rig at a place of the list.
+    pub fn rig(&self, at: usize) -> Color32 {
+        let colors = [self.blue, self.orange_text, self.green, self.red, self.amber, self.muted];
+        colors.get(at).copied().unwrap_or(self.text)
+    }
+}
+
 /// What quiet text and lines become for who asks for more contrast: hints and examples 7:1, as WCAG 2.2 asks for at level AAA.
 const fn with_more_contrast(usual: Palette, muted: Color32, line: Color32) -> Palette {
     Palette {

@@ -66,7 +66,7 @@ fn work(run: Run, job: Job, attachments: Vec<Attachment>, is_given_up: &AtomicBo
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "tests")]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 mod tests {
     use super::Worker;
     use crate::app::Event;

@@ -112,7 +112,7 @@ impl Platform for Browser {
     }
 
     fn open_files(&mut self, _ctx: &egui::Context) {
-        super::files::choose(&self.inbox);
+        super::opening::choose(&self.inbox);
     }
 
     fn start(&mut self, _ctx: &egui::Context, run: Run, job: Job, attachments: Vec<Attachment>) {

@@ -1,15 +1,10 @@
-//! Files that the page gives out, which the browser downloads, and files that it is given.
+//! Files that the page gives out: the browser downloads them.
 
 use super::inbox::{Inbox, sentence};
-use super::listeners::on;
-use crate::app::{Event, FileContents, OpenedFile, Place, PlatformError};
-use depth_jobs::LARGEST_FILE;
+use crate::app::{Event, FileContents, Place, PlatformError};
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{Clamped, JsCast as _, JsValue};
-use wasm_bindgen_futures::JsFuture;
-use web_sys::{
-    Blob, BlobPropertyBag, CanvasRenderingContext2d, File, FileList, HtmlAnchorElement, HtmlCanvasElement, HtmlInputElement, ImageData, Url,
-};
+use web_sys::{Blob, BlobPropertyBag, CanvasRenderingContext2d, HtmlAnchorElement, HtmlCanvasElement, ImageData, Url};
 
 /// Starts the download of a file named `name`. A browser says nothing of it later: that it has started is the outcome.
 pub(super) fn save(inbox: &Inbox, name: &str, contents: FileContents) {
@@ -78,76 +73,4 @@ fn download(file: &Blob, name: &str) -> Result<(), JsValue> {
     });
     window.set_timeout_with_callback_and_timeout_and_arguments_0(forget.unchecked_ref(), 60_000)?;
     Ok(())
-}
-
-/// Has the person choose files.
-pub(super) fn choose(inbox: &Inbox) {
-    if let Err(error) = try_choose(inbox) {
-        let reason = sentence(&error);
-        inbox.add(Event::Opened(Err(PlatformError::NoFileDialog { reason })));
-    }
-}
-
-/// The dialog belongs to an input of the page, which nobody sees; the one of the last time is gone then.
-fn try_choose(inbox: &Inbox) -> Result<(), JsValue> {
-    const ID: &str = "calibration-files";
-    let document = web_sys::window().and_then(|window| window.document()).ok_or(JsValue::NULL)?;
-    if let Some(last) = document.get_element_by_id(ID) {
-        last.remove();
-    }
-    let input: HtmlInputElement = document.create_element("input")?.unchecked_into();
-    input.set_id(ID);
-    input.set_type("file");
-    input.set_multiple(true);
-    input.set_hidden(true);
-    document.body().ok_or(JsValue::NULL)?.append_child(&input)?;
-    let (inbox, chosen) = (inbox.clone(), input.clone());
-    on(&input, "change", move |_| {
-        if let Some(files) = chosen.files() {
-            read(&inbox, &files);
-        }
-        chosen.remove();
-    });
-    input.click();
-    Ok(())
-}
-
-/// Reads `files`, one after the other.
-pub(super) fn read(inbox: &Inbox, files: &FileList) {
-    // A list of the browser is emptied when its event has been handled.
-    let files: Vec<File> = (0..files.length()).filter_map(|at| files.get(at)).collect();
-    let inbox = inbox.clone();
-    wasm_bindgen_futures::spawn_local(async move {
-        let mut opened = Vec::new();
-        for file in files {
-            match read_one(&file).await {
-                Ok(file) => opened.push(file),
-                Err(error) => {
-                    inbox.add(Event::Opened(Err(error)));
-                    return;
-                }
-            }
-        }
-        inbox.add(Event::Opened(Ok(opened)));
-    });
-}
-
-async fn read_one(file: &File) -> Result<OpenedFile, PlatformError> {
-    let name = file.name();
-    // Exact: all whole numbers up to 2⁵³ are.
-    #[allow(clippy::cast_precision_loss, reason = "16 MB")]
-    let largest = LARGEST_FILE as f64;
-    if file.size() > largest {
-        return Err(PlatformError::FileTooLarge { file: name });
-    }
-    match JsFuture::from(file.array_buffer()).await {
-        Ok(buffer) => Ok(OpenedFile {
-            name,
-            bytes: js_sys::Uint8Array::new(&buffer).to_vec(),
-        }),
-        Err(error) => Err(PlatformError::FileNotOpened {
-            file: name,
-            reason: sentence(&error),
-        }),
-    }
 }

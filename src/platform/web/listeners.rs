@@ -4,7 +4,7 @@ use wasm_bindgen::JsCast as _;
 use wasm_bindgen::closure::Closure;
 
 use super::inbox::Inbox;
-use super::{files, page};
+use super::page;
 use crate::app::{Colors, Event, SystemColors};
 
 /// Adds the events of the browser to `inbox`, and at once the link with which the page was opened and the forced colors.
@@ -13,7 +13,6 @@ pub(super) fn listen(ctx: &egui::Context, inbox: &Inbox) {
     listen_to_links(&window, inbox);
     listen_to_history(&window, inbox);
     listen_to_colors(&window, inbox);
-    listen_to_drops(&window, inbox);
     follow_reduced_motion(&window, ctx);
 }
 
@@ -38,22 +37,6 @@ fn listen_to_history(window: &web_sys::Window, inbox: &Inbox) {
         let state = history.as_ref().ok().and_then(|history| history.state().ok()?.as_string());
         if let Some(name) = state {
             inbox.add(Event::Screen(name));
-        }
-    });
-}
-
-/// Files may be dropped anywhere on the page, whatever lies over the canvas there. Without this a browser would show them in its place.
-fn listen_to_drops(window: &web_sys::Window, inbox: &Inbox) {
-    for event in ["dragenter", "dragover"] {
-        on_its_way(window, event, |event| event.prevent_default());
-    }
-    let inbox = inbox.clone();
-    on_its_way(window, "drop", move |event| {
-        event.prevent_default();
-        event.stop_propagation();
-        let data = event.dyn_ref::<web_sys::DragEvent>().and_then(web_sys::DragEvent::data_transfer);
-        if let Some(files) = data.and_then(|data| data.files()) {
-            files::read(&inbox, &files);
         }
     });
 }

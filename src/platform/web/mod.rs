@@ -7,6 +7,7 @@ mod files;
 mod inbox;
 mod leaving;
 mod listeners;
+mod opening;
 mod page;
 mod printing;
 mod rest;
@@ -64,6 +65,7 @@ async fn start(runner: &eframe::WebRunner) -> Result<(), String> {
                 }
                 let inbox = Inbox::new(&creation.egui_ctx);
                 listeners::listen(&creation.egui_ctx, &inbox);
+                opening::listen(&inbox);
                 leaving::listen(&running, &creation.egui_ctx, &mirrored);
                 touch::leave_to_touch_events();
                 printing::listen(&running, &creation.egui_ctx, &mirrored);

@@ -12,7 +12,6 @@
 )]
 
 mod corpus;
-#[path = "../judge/mod.rs"]
 mod judge;
 mod mutate;
 
