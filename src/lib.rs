@@ -8,6 +8,8 @@
 //! |---|---|
 //! | [`core`], the crate `depth-core` | the mathematics: quantities with their unit in the type, and pure functions, every formula with its source |
 //! | [`depth_text`] | what people type and read: numbers, fields and what is wrong with them, links, the report |
+//! | `depth_files` | calibration files, each format in a file |
+//! | `depth_jobs` | work beside the window: what is asked, what is answered, and the module that does it in a browser |
 //! | `egui_mirror` | an accessible page beside an egui canvas; knows nothing of this program |
 //! | `app` | the egui application, the same in a browser, in a window and under test |
 //! | `cli` | the command line, one subcommand a file; builds without `app` |
@@ -38,6 +40,7 @@
 //! | a dialog | `app/dialog.rs`, and a file like `app/about.rs` |
 //! | a picture | `crates/depth-figures`: a pure model and a pure layout that give shapes; `app/calculator/pictures/` for pointer and keys |
 //! | a calibration format | `crates/depth-files/src/formats/` |
+//! | long work | a `Job` and its `Outcome` in `crates/depth-jobs`, a `Work` in its `engine.rs` |
 //! | a screen | `Screen` in `app/saved.rs`, a folder like `app/learn/`, and its line in `app/ui.rs` |
 //! | a color, a size, a font | `app/theme/` |
 //! | what the program needs from the machine | `app/platform.rs`, then both platforms and the tests' |

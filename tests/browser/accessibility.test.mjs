@@ -53,6 +53,26 @@ const SCREENS = {
     await page.press('Calculate Distance');
     await until('a field marked as invalid', () => page.run(`return document.querySelector('${MIRROR} [aria-invalid=true]') !== null`));
   },
+  'rigs, one with a mistake': async (page) => {
+    await page.show('Rigs');
+    await page.press('New rig');
+    await page.fill('Camera baseline (b)', '-3');
+    await page.says(/A baseline is a distance/);
+  },
+  'the dialog that opens calibration files': async (page) => {
+    await page.show('Rigs');
+    await page.press('Calibration file…');
+    await page.says(/recognized by what is in them/);
+  },
+  'a calibration whose unit is asked for': async (page) => {
+    await page.run(
+      `const transfer = new DataTransfer();
+       transfer.items.add(new File([arguments[0]], 'stereo.json'));
+       document.body.dispatchEvent(new DragEvent('drop', { bubbles: true, cancelable: true, dataTransfer: transfer }));`,
+      JSON.stringify({ P1: [[700, 0, 320, 0], [0, 700, 240, 0], [0, 0, 1, 0]], P2: [[700, 0, 320, -84000], [0, 700, 240, 0], [0, 0, 1, 0]] }),
+    );
+    await page.says(/Which is it/);
+  },
   'the explanations': async (page) => {
     await page.show('Learn');
     await page.says(/What this computes/);

@@ -43,6 +43,11 @@ const SCREENS = {
   'calculator-full': (page) => fillAll(page, FULL),
   'calculator-disagree': (page) => fillAll(page, DISAGREE),
   'calculator-errors': (page) => fillAll(page, MISTAKES),
+  rigs: async (page) => {
+    await page.show('Rigs');
+    await page.press('New rig');
+    await page.fill('Focal length (fx)', '700');
+  },
   learn: (page) => page.show('Learn'),
 };
 
