@@ -279,16 +279,17 @@ export class Page {
 
   /** Shows a screen: by its tab, or on a phone by the menu that all are in. */
   async show(screen) {
-    const menu = await this.run("return [...document.querySelectorAll(arguments[0] + ' [aria-haspopup=menu]')].find((one) => /^Screens/.test(one.getAttribute('aria-label') ?? ''))", MIRROR);
-    if (menu) {
-      await this.run('arguments[0].click()', menu);
-      const entry = await until(`"${screen}" in the menu`, async () =>
-        this.run("return [...document.querySelectorAll(arguments[0] + ' [role^=menuitem]')].find((one) => (one.getAttribute('aria-label') ?? one.textContent).trim() === arguments[1])", MIRROR, screen),
+    const named = (pattern) =>
+      this.run(
+        "return [...document.querySelectorAll(arguments[0] + ' :is([role=tab], [role^=menuitem], [role=button], button)')].find((one) => new RegExp(arguments[1]).test((one.getAttribute('aria-label') ?? one.textContent).trim())) ?? null",
+        MIRROR,
+        pattern,
       );
-      await this.run('arguments[0].click()', entry);
-    } else {
-      await this.press(screen);
-    }
+    const click = (element) => this.run('arguments[0].click()', element);
+    await click(await until('tabs or a menu of the screens', () => named(`^(Screens: .*|${screen})$`)));
+    await this.frames();
+    const entry = await named(`^${screen}$`);
+    if (entry) await click(entry);
   }
 
   /** The middle of an element, in whole pixels of the window. */

@@ -236,7 +236,7 @@ fn numbers_ui(ui: &mut Ui, shown: &Shown) {
     if let Some(doffs) = shown.found.doffs_px.filter(|_| shown.baseline().is_some()) {
         rows.push(("doffs", format!("{} px", number(doffs)), shown.found.doffs_origin.as_str()));
     }
-    rows_ui(ui, "What the file says", ["", "Value", "Where it stands"], &rows);
+    rows_ui(ui, "What the file says", ["Quantity", "Value", "Where it stands"], &rows);
 }
 
 fn rows_ui(ui: &mut Ui, name: &str, headers: [&str; 3], rows: &[(&str, String, &str)]) {

@@ -55,7 +55,7 @@ fn table_ui(ui: &mut Ui, rigs: &[Rig]) {
             .iter()
             .enumerate()
             .map(|(at, rig)| format!("{} {}", letter(at), rig.shown_name()));
-        let header = std::iter::once(String::new()).chain(names);
+        let header = std::iter::once("Quantity".to_owned()).chain(names);
         table::row_ui(ui, header.map(|words| cell(words, Role::ColumnHeader)).collect(), &shares);
         let mut row_ui = |name: &str, of: &dyn Fn(&Rig) -> String| {
             let values = rigs.iter().map(|rig| cell(of(rig), Role::Cell));
