@@ -142,6 +142,10 @@ fn the_table_has_nine_rows_in_two_parts_one_for_both_methods_combined_and_a_head
     assert_eq!(roles.iter().filter(|&&role| role == Role::Row).count(), 1 + 5 + 1 + 4 + 1);
     assert_eq!(roles.iter().filter(|&&role| role == Role::ColumnHeader).count(), 4);
     assert_eq!(roles.iter().filter(|&&role| role == Role::RowHeader).count(), 5 + 1 + 4 + 1);
+    // Under each header a cell, an empty one where nothing is to be said: by their number a screen reader knows the header of a cell.
+    let rows = table.children_recursive().filter(|node| node.accesskit_node().role() == Role::Row);
+    let cells: Vec<usize> = rows.map(|row| row.children().count()).collect();
+    assert_eq!(cells, [4; 12]);
     let names: Vec<String> = table.children_recursive().filter_map(|node| node.value()).collect();
     assert!(names.iter().any(|name| name == "Intermediate values"), "{names:?}");
 }

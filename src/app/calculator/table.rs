@@ -38,10 +38,12 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, height: f32) {
             pitch,
         };
         table_ui(ui, Card::Table.title(), |ui| {
-            view.header_ui(ui);
+            let columns = ["Parameter", "Value", "± 1 σ", "Unit", "Description"];
+            view.titles_ui(ui, pitch, columns, [Role::ColumnHeader; 2]);
             for (row, next) in rows.iter().zip(rows.iter().skip(1).map(Some).chain([None])) {
                 if let Some(heading) = row.heading {
-                    view.heading_ui(ui, heading);
+                    let roles = [Role::RowHeader, Role::Cell];
+                    view.titles_ui(ui, pitch - theme::LABEL_GAP, [heading, "", "", "", ""], roles);
                 }
                 view.row_ui(
                     ui,
@@ -163,46 +165,37 @@ struct View<'a> {
 }
 
 impl View<'_> {
-    fn header_ui(&self, ui: &mut Ui) {
-        let header = |text: &str, left: f32| Placed {
+    /// Titles over what they are of: of columns, or of a part of the table, whose other cells are empty. A screen reader that goes down a
+    /// column stops where there is no cell, and browsers know none over several columns that lies where it is painted.
+    fn titles_ui(&self, ui: &mut Ui, height: f32, titles: [&str; 5], [first, others]: [Role; 2]) {
+        let title = |text: &str, left: f32, role: Role| Placed {
             text: LayoutJob::simple_singleline(text.to_owned(), theme::strong(theme::SMALL_SIZE), self.palette.muted),
-            role: Role::ColumnHeader,
+            role,
             left,
             tooltip: String::new(),
             said: None,
         };
         // Over the middle of the numbers.
         let over = |text: &str, [from, to]: [f32; 2]| {
-            let cell = header(text, 0.0);
+            let cell = title(text, 0.0, others);
             let width = ui.painter().layout_job(cell.text.clone()).size().x;
             Placed {
                 left: f32::midpoint(from, to) - width / 2.0,
                 ..cell
             }
         };
+        let [parameter, of_value, of_sigma, unit, description] = titles;
         let [value, sigma] = self.columns.points;
         let values = [value - theme::WHOLE_WIDTH, value + theme::PART_WIDTH];
         let sigmas = [sigma - theme::SIGMA_WHOLE_WIDTH, sigma + theme::PART_WIDTH];
         let mut cells = vec![
-            header("Parameter", 0.0),
-            over("Value", values),
-            over("± 1 σ", sigmas),
-            header("Unit", self.columns.unit),
+            title(parameter, 0.0, first),
+            over(of_value, values),
+            over(of_sigma, sigmas),
+            title(unit, self.columns.unit, others),
         ];
-        cells.extend(self.columns.description.map(|left| header("Description", left)));
-        placed_row_ui(ui, self.pitch, cells, self.palette.line);
-    }
-
-    /// The heading of a part.
-    fn heading_ui(&self, ui: &mut Ui, heading: &str) {
-        let cell = Placed {
-            text: LayoutJob::simple_singleline(heading.to_owned(), theme::strong(theme::SMALL_SIZE), self.palette.muted),
-            role: Role::RowHeader,
-            left: 0.0,
-            tooltip: String::new(),
-            said: None,
-        };
-        placed_row_ui(ui, self.pitch - theme::LABEL_GAP, vec![cell], self.palette.line);
+        cells.extend(self.columns.description.map(|left| title(description, left, others)));
+        placed_row_ui(ui, height, cells, self.palette.line);
     }
 
     /// A row, over a heavier line where a part of the table ends.
@@ -227,8 +220,6 @@ impl View<'_> {
             tooltip,
             said: Some(row.parameter.clone()),
         };
-        let mut cells = vec![name, number];
-        cells.extend(row.sigma.as_deref().map(|text| self.number(ui, text, sigma, false)));
         let quiet = |text: &str, left: f32| Placed {
             text: symbols::job(
                 palette,
@@ -241,9 +232,9 @@ impl View<'_> {
             tooltip: row.unit.clone(),
             said: None,
         };
-        if !row.symbol.is_empty() {
-            cells.push(quiet(&row.symbol, self.columns.unit));
-        }
+        // Empty cells too: else those behind them would be read out under the headers of others.
+        let sigma = self.number(ui, row.sigma.as_deref().unwrap_or_default(), sigma, false);
+        let mut cells = vec![name, number, sigma, quiet(&row.symbol, self.columns.unit)];
         if let Some(left) = self.columns.description {
             let mut cell = quiet(&row.description, left);
             cell.text.wrap = egui::text::TextWrapping::truncate_at_width(ui.available_width() - left);
