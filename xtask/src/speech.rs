@@ -9,12 +9,13 @@ use crate::table::Outcome;
 use crate::{apt, dist};
 
 /// What has to be there besides a browser, and the packages of Debian and Ubuntu that bring it.
-const PROGRAMS: [(&str, &str); 5] = [
+const PROGRAMS: [(&str, &str); 6] = [
     ("orca", "orca"),
     ("dbus-run-session", "dbus-daemon"),
     ("gdbus", "libglib2.0-bin"),
     ("openbox", "openbox"),
     ("Xvfb", "xvfb"),
+    ("xdotool", "xdotool"),
 ];
 const ENGINES: [Engine; 2] = [Engine::Firefox, Engine::Chromium];
 

@@ -20,7 +20,10 @@ function announceScreenReader() {
   }
 }
 
-/** Starts it, and makes it the desktop of this process. `said` gives what Orca says until it says no more; `close` ends everything. */
+/**
+ * Starts it, and makes it the desktop of this process. `said` gives what Orca says until it says no more; `press` presses a key of the
+ * keyboard, as xdotool calls it; `close` ends everything.
+ */
 export async function startDesktop() {
   const home = await mkdtemp(path.join(os.tmpdir(), 'speech-'));
   const log = path.join(home, 'orca.log');
@@ -40,8 +43,10 @@ export async function startDesktop() {
     started.on('error', (error) => console.error(`${program} could not be started: ${error.message}`));
     children.push(started);
   };
-  // Somebody has to give the keyboard to a window.
-  run('openbox');
+  // Somebody has to give the keyboard to a window. Without keys of its own: Orca has those with which openbox moves windows about.
+  const windows = path.join(home, 'openbox.xml');
+  await writeFile(windows, '<openbox_config xmlns="http://openbox.org/3.4/rc"><keyboard/></openbox_config>');
+  run('openbox', '--config-file', windows);
   run('orca', '--replace', '--disable=braille', `--debug-file=${log}`);
   await until('Orca', async () => /SPEECH: Initialized/.test(await readFile(log, 'utf8')));
   const file = await open(log);
@@ -50,7 +55,8 @@ export async function startDesktop() {
     children.reverse().forEach((one) => one.kill());
     await rm(home, { recursive: true, force: true, maxRetries: 5 });
   };
-  return { said: () => said(file), close };
+  const press = (key) => execFileSync('xdotool', ['key', key]);
+  return { said: () => said(file), press, close };
 }
 
 /** What Orca says from where `file` has been read to, once it has been quiet. */
@@ -65,6 +71,6 @@ async function said(file) {
     await sleep(100);
     if (await more()) quietMs = 0;
   }
-  const words = [...text.matchAll(/SPEECH OUTPUT: '(.*)'(?:\{.*)?$/gm)].map(([, one]) => one.trim());
+  const words = [...text.matchAll(/SPEECH OUTPUT: '(.*)'(?:\[?\{.*)?$/gm)].map(([, one]) => one.trim());
   return words.filter(Boolean);
 }

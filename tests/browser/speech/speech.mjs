@@ -11,6 +11,13 @@ const FILE = new URL(`${settings.engine}.txt`, import.meta.url);
 /** What Orca says of the loading of any page and of what the focus has left, in an order that chance decides. */
 const OF_THE_BROWSER = /^(Loading\.|Finished loading|document web|.* document web\.$|\d+ percent\.|leaving )/;
 
+/** What was said, without what is selected: that is said with the field, after it or not at all, as chance has it. */
+function lasting(words) {
+  const isOfSelection = (one, next) => one === 'selected' || next === 'selected' || one === 'Selection deleted.';
+  const rest = words.filter((one, at) => !OF_THE_BROWSER.test(one) && !isOfSelection(one, words[at + 1]));
+  return rest.map((one) => one.replace(/(?<!^not) selected\.$/, '.'));
+}
+
 /** Everything that was said, with what was done before it. */
 async function listen() {
   const desktop = await startDesktop();
@@ -21,10 +28,9 @@ async function listen() {
     // Of the browser's own window.
     await desktop.said();
     const lines = [];
-    for (const [what, act] of steps(page)) {
+    for (const [what, act] of steps(page, desktop.press)) {
       await act();
-      const words = (await desktop.said()).filter((one) => !OF_THE_BROWSER.test(one));
-      const heard = [`> ${what}`, ...words.map((one) => `  ${one}`)];
+      const heard = [`> ${what}`, ...lasting(await desktop.said()).map((one) => `  ${one}`)];
       console.log(heard.join('\n'));
       lines.push(...heard);
     }

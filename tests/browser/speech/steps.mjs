@@ -4,10 +4,15 @@ import { Key } from '../page.mjs';
 
 const { TAB, ENTER, ESCAPE, ARROW_DOWN, BACK_SPACE } = Key;
 
-/** What is done, by name, in order. */
-export function steps(page) {
+/** The keys of Orca from cell to cell. */
+const CELL = { Down: 'alt+shift+Down', Left: 'alt+shift+Left', Right: 'alt+shift+Right', Up: 'alt+shift+Up' };
+
+/** What is done, by name, in order. `press` presses a key of the keyboard: of those of a driver, Orca hears none. */
+export function steps(page, press) {
   const type = (...keys) => () => page.type(...keys);
   const tabTo = (name) => () => page.tabTo(name);
+  const focus = async (element) => page.run('arguments[0].focus()', await element);
+  const toCell = (way, where) => [`Alt + Shift + ${way}: ${where}`, () => press(CELL[way])];
   const select = async () => page.run('document.activeElement.select()');
   return [
     ['The page opens', () => page.start()],
@@ -32,7 +37,7 @@ export function steps(page) {
     }],
     ['Enter', type(ENTER)],
     ['Tab to the helper of the disparity', async () => {
-      await page.run('arguments[0].focus()', await page.field('Disparity (d)'));
+      await focus(page.field('Disparity (d)'));
       await page.driver.actions().keyDown(Key.SHIFT).sendKeys(TAB).keyUp(Key.SHIFT).perform();
     }],
     ['Enter: it opens', type(ENTER)],
@@ -43,12 +48,33 @@ export function steps(page) {
       await page.type(BACK_SPACE);
     }],
     ['Enter', type(ENTER)],
-    ['The key ? on a button: the keys', async () => {
-      await page.run('arguments[0].focus()', await page.element('Reset', 'button'));
-      await page.type('?');
-    }],
+    ['To a button', () => focus(page.element('Reset', 'button'))],
+    ['The key ?: the keys', type('?')],
     ['Escape: they close', type(ESCAPE)],
     ['Alt + 2: Learn', () => page.driver.actions().keyDown(Key.ALT).sendKeys('2').keyUp(Key.ALT).perform()],
     ['Back, as the browser has it', () => page.driver.navigate().back()],
+    ['To the disparity again', () => focus(page.field('Disparity (d)'))],
+    ['Types 50', type(...'50')],
+    ['Tab', type(TAB)],
+    ['Types 0.2', type(...'0.2')],
+    ['To a button', () => focus(page.element('Reset', 'button'))],
+    ['The key t: the table', () => press('t')],
+    toCell('Right', 'the next header'),
+    toCell('Left', 'back'),
+    toCell('Down', 'the focal length'),
+    toCell('Down', 'the baseline'),
+    toCell('Down', 'the disparity'),
+    toCell('Right', 'its value'),
+    toCell('Right', 'its σ'),
+    toCell('Right', 'its unit'),
+    toCell('Up', 'that of the baseline'),
+    toCell('Left', 'the σ that it has not'),
+    toCell('Left', 'its value'),
+    toCell('Down', 'the disparity'),
+    toCell('Down', 'the width in the image'),
+    toCell('Down', 'the real width'),
+    toCell('Down', 'the next part of the table'),
+    toCell('Down', 'its first value'),
+    toCell('Left', 'its name'),
   ];
 }
