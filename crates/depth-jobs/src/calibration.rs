@@ -8,11 +8,20 @@ use serde::{Deserialize, Serialize};
 pub struct Calibration {
     /// The format, to be shown.
     pub format: String,
-    /// The cameras in the order of the file, of a pair the left first.
-    pub cameras: Vec<Camera>,
-    /// The two of them that the baseline is between: the left one first, or the upper one.
-    pub pair: Option<[usize; 2]>,
-    /// Whether these two stand one above the other.
+    /// What can be taken of it, what is meant most likely first: a pair, another pair, one camera alone.
+    pub choices: Vec<Choice>,
+    /// What else is in the files, which was not read, each with why not.
+    pub ignored: Vec<String>,
+}
+
+/// A camera alone, or a pair of which it is the left one, or the upper one.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Choice {
+    /// The cameras by their names in the file: "P2 and P3", "P2 alone".
+    pub name: String,
+    /// The camera.
+    pub camera: Camera,
+    /// Whether the other one stands below it.
     pub is_vertical: bool,
     /// The distance of their lenses.
     pub baseline: Option<Baseline>,
@@ -24,8 +33,6 @@ pub struct Calibration {
     pub doffs_origin: String,
     /// What somebody has to know before they use it, a sentence each.
     pub warnings: Vec<String>,
-    /// What else is in the files, which was not read, each with why not.
-    pub ignored: Vec<String>,
 }
 
 /// One camera.
@@ -82,13 +89,5 @@ impl Baseline {
             Self::Meters(m) => Some(Length::from_m(m)),
             Self::InFileUnits { value, .. } => file_unit.map(|unit| Length::from_m(unit.m() * value)),
         }
-    }
-}
-
-impl Calibration {
-    /// The left camera of the pair, or the upper one; of a file without a pair its first.
-    pub fn first(&self) -> Option<&Camera> {
-        let at = self.pair.map_or(0, |[first, _]| first);
-        self.cameras.get(at)
     }
 }

@@ -82,7 +82,7 @@ impl Work for ReadCalibration {
     fn step(&mut self) -> Result<Option<Outcome>, Failure> {
         let files: Vec<&[u8]> = self.files.iter().map(Vec::as_slice).collect();
         let names: Vec<&str> = self.names.iter().map(String::as_str).collect();
-        let found = depth_files::read(&files).map_err(|refusal| Failure::Refused(refusal.to_string()))?;
+        let found = depth_files::read(&files).map_err(|refusal| Failure::Refused(refusal.sentence(&names)))?;
         Ok(Some(Outcome::Calibration(Box::new(calibration(&found, &names)))))
     }
 
@@ -92,7 +92,7 @@ impl Work for ReadCalibration {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
+#[allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "tests")]
 mod tests {
     use super::Engine;
     use crate::protocol::{End, Failure, Job, Outcome, Report, Request};
@@ -119,11 +119,50 @@ mod tests {
         else {
             panic!("no calibration");
         };
-        assert_eq!(found.first().unwrap().intrinsics_px, [700.0, 700.0, 320.0, 240.0]);
-        assert_eq!(found.baseline.unwrap().length(None).unwrap().m(), 0.1);
-        assert_eq!(found.doffs_px, Some(10.0));
-        assert!(found.baseline_origin.contains("line 4"), "{}", found.baseline_origin);
+        let names: Vec<&str> = found.choices.iter().map(|choice| choice.name.as_str()).collect();
+        assert_eq!(names, ["cam0 and cam1", "cam0 alone", "cam1 alone"]);
+        let [pair, _, right] = found.choices.as_slice() else {
+            panic!("three choices")
+        };
+        assert_eq!(pair.camera.intrinsics_px, [700.0, 700.0, 320.0, 240.0]);
+        assert_eq!(pair.baseline.unwrap().length(None).unwrap().m(), 0.1);
+        assert_eq!(pair.doffs_px, Some(10.0));
+        assert!(pair.baseline_origin.contains("line 4"), "{}", pair.baseline_origin);
+        assert_eq!(right.camera.intrinsics_px, [700.0, 700.0, 330.0, 240.0]);
+        assert_eq!(right.baseline, None);
         assert!(engine.report().is_none());
+    }
+
+    #[test]
+    fn of_two_pairs_each_has_its_own_baseline() {
+        let row = |name: &str, tx: f64| format!("{name}: 700 0 320 {tx} 0 700 240 0 0 0 1 0\n");
+        let kitti = [row("P0", 0.0), row("P1", -350.0), row("P2", 42.0), row("P3", -378.0)].concat();
+        let mut engine = Engine::default();
+        start(&mut engine, 1, kitti.as_bytes());
+        engine.step();
+        let Some(Report::Ended {
+            end: End::Done(Outcome::Calibration(found)),
+            ..
+        }) = engine.report()
+        else {
+            panic!("no calibration");
+        };
+        let baselines: Vec<(String, f64)> = found
+            .choices
+            .iter()
+            .filter_map(|choice| Some((choice.name.clone(), choice.baseline?.length(None)?.m())))
+            .collect();
+        let [(gray, b_gray), (color, b_color), ..] = baselines.as_slice() else {
+            panic!("{baselines:?}")
+        };
+        assert_eq!([gray.as_str(), color.as_str()], ["camera 0 and camera 1", "camera 2 and camera 3"]);
+        assert!((b_gray - 0.5).abs() < 1e-12 && (b_color - 0.6).abs() < 1e-12, "{baselines:?}");
+        assert!(
+            found
+                .choices
+                .iter()
+                .any(|choice| choice.name.ends_with(" alone") && choice.baseline.is_none())
+        );
     }
 
     #[test]

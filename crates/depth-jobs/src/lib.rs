@@ -13,5 +13,5 @@ mod found;
 mod protocol;
 mod sentences;
 
-pub use calibration::{Baseline, Calibration, Camera, Guess};
+pub use calibration::{Baseline, Calibration, Camera, Choice, Guess};
 pub use protocol::{Attachment, End, Failure, Job, LARGEST_FILE, Outcome, PROTOCOL, Report, Request, Run};

@@ -2,7 +2,7 @@
 
 use crate::app::rigs::Rig;
 use crate::core::quantity::LengthUnit;
-use depth_jobs::{Baseline, Calibration, Camera, Guess};
+use depth_jobs::{Baseline, Calibration, Choice, Guess};
 use depth_text::entry::Entry;
 use depth_text::fields;
 use depth_text::reading;
@@ -12,8 +12,8 @@ use depth_text::reading;
 pub struct Shown {
     /// What the files say.
     pub found: Calibration,
-    /// The place of the camera whose focal length counts.
-    pub camera: usize,
+    /// The place of the camera or pair that was chosen.
+    pub choice: usize,
     /// The unit of the baseline, by its place among [`Self::units`], where the files do not say it and the person has.
     pub unit: Option<usize>,
     /// The size of a square of the board.
@@ -42,30 +42,30 @@ impl FileUnit {
 impl Shown {
     /// `found` with nothing said yet.
     pub fn new(found: Calibration) -> Self {
-        let square = match found.baseline {
-            Some(Baseline::InFileUnits {
-                guess: Guess::Squares { size },
-                ..
-            }) => crate::app::rigs::number(size),
-            _ => String::new(),
-        };
-        Self {
-            camera: found.pair.map_or(0, |[first, _]| first),
+        let mut shown = Self {
+            choice: 0,
             unit: None,
-            square: Entry::new(square, fields::SQUARE_SIZE.kind.length_unit()),
+            square: Entry::default(),
             found,
+        };
+        if let Some(Baseline::InFileUnits {
+            guess: Guess::Squares { size },
+            ..
+        }) = shown.baseline()
+        {
+            shown.square = Entry::new(crate::app::rigs::number(size), fields::SQUARE_SIZE.kind.length_unit());
         }
+        shown
     }
 
-    /// The camera whose focal length counts.
-    pub fn camera(&self) -> Option<&Camera> {
-        self.found.cameras.get(self.camera)
+    /// What was chosen of it.
+    pub fn chosen(&self) -> Option<&Choice> {
+        self.found.choices.get(self.choice)
     }
 
-    /// The baseline, where the camera that counts is one of its pair.
+    /// The baseline of what was chosen.
     pub fn baseline(&self) -> Option<Baseline> {
-        let is_of_pair = self.found.pair.is_some_and(|pair| pair.contains(&self.camera));
-        self.found.baseline.filter(|_| is_of_pair)
+        self.chosen()?.baseline
     }
 
     /// The number of a baseline whose unit has to be asked for.
@@ -78,7 +78,7 @@ impl Shown {
 
     /// The units that are offered, the plausible one first.
     pub fn units(&self) -> Vec<FileUnit> {
-        let first = match self.found.baseline {
+        let first = match self.baseline() {
             Some(Baseline::InFileUnits {
                 guess: Guess::Unit(unit), ..
             }) => FileUnit::Length(unit),
@@ -107,12 +107,11 @@ impl Shown {
 
     /// The rig that comes of it, which files with these `names` say; `None` where the unit of its baseline is still to be said.
     pub fn rig(&self, names: &[String]) -> Option<Rig> {
-        self.camera()?;
         let unit = self.unit_text();
         if self.asks_unit_of().is_some() && unit.is_none() {
             return None;
         }
-        Some(Rig::of_calibration(&self.found, self.camera, names, unit.as_deref()))
+        Some(Rig::of_calibration(self.chosen()?, &self.found.format, names, unit.as_deref()))
     }
 }
 
@@ -121,31 +120,33 @@ impl Shown {
 mod tests {
     use super::{FileUnit, Shown};
     use crate::core::quantity::LengthUnit;
-    use depth_jobs::{Baseline, Calibration, Camera, Guess};
+    use depth_jobs::{Baseline, Calibration, Choice, Guess};
     use depth_text::fields;
     use depth_text::reading;
 
     fn found(baseline: Baseline) -> Calibration {
-        let camera = |name: &str| Camera {
+        let choice = |name: &str, baseline| Choice {
             name: name.to_owned(),
-            size: Some([640, 480]),
-            intrinsics_px: [700.0, 701.0, 320.0, 240.0],
-            sigma_px: Some([2.0, 2.0, 1.0, 1.0]),
-            is_rectified: true,
-            model: None,
-            distortion: vec![-0.25, 0.5],
-            origin: String::new(),
+            camera: Camera {
+                name: name.to_owned(),
+                size: Some([640, 480]),
+                intrinsics_px: [700.0, 701.0, 320.0, 240.0],
+                sigma_px: Some([2.0, 2.0, 1.0, 1.0]),
+                is_rectified: true,
+                model: None,
+                distortion: vec![-0.25, 0.5],
+                origin: String::new(),
+            },
+            is_vertical: false,
+            baseline,
+            baseline_origin: String::new(),
+            doffs_px: baseline.map(|_| 3.0),
+            doffs_origin: String::new(),
+            warnings: Vec::new(),
         };
         Calibration {
             format: "OpenCV FileStorage".into(),
-            cameras: vec![camera("left"), camera("right"), camera("color")],
-            pair: Some([0, 1]),
-            is_vertical: false,
-            baseline: Some(baseline),
-            baseline_origin: String::new(),
-            doffs_px: Some(3.0),
-            doffs_origin: String::new(),
-            warnings: Vec::new(),
+            choices: vec![choice("left and right", Some(baseline)), choice("left alone", None)],
             ignored: Vec::new(),
         }
     }
@@ -177,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn a_baseline_belongs_to_its_pair_and_the_numbers_to_the_camera_that_counts() {
+    fn a_baseline_belongs_to_its_pair_and_the_numbers_to_what_was_chosen() {
         let mut shown = Shown::new(found(Baseline::Meters(0.083_206_4)));
         assert!((meters(&shown).unwrap() - 0.083_206_4).abs() < 1e-12);
         let rig = shown.rig(&["calib.yml".to_owned()]).unwrap();
@@ -186,7 +187,7 @@ mod tests {
         assert_eq!(rig.inputs.entry(fields::DOFFS).text, "3");
         assert_eq!(rig.inputs.entry(fields::FRAME_WIDTH).text, "640");
         assert_eq!(rig.distortion, "-0.25, 0.5");
-        shown.camera = 2;
+        shown.choice = 1;
         assert_eq!(meters(&shown), None);
     }
 

@@ -125,13 +125,13 @@ fn found_ui(ui: &mut Ui, cx: &mut AppContext<'_>, names: &[String], shown: &mut 
             .color(palette.text),
     );
     text::announce(ui, &said);
-    for warning in &shown.found.warnings {
+    for warning in shown.chosen().map(|choice| choice.warnings.as_slice()).unwrap_or_default() {
         let color = text::note_color(ui, Severity::Warning);
         let said = ui.label(RichText::new(text::note(warning)).size(theme::SMALL_SIZE).color(color));
         text::announce(ui, &said);
     }
     ui.add_space(theme::STEP);
-    cameras_ui(ui, shown);
+    choices_ui(ui, shown);
     numbers_ui(ui, shown);
     unit_ui(ui, cx, shown);
     changes_ui(ui, cx, shown.rig(names));
@@ -142,47 +142,36 @@ fn found_ui(ui: &mut Ui, cx: &mut AppContext<'_>, names: &[String], shown: &mut 
     }
 }
 
-/// The choice among several cameras.
-fn cameras_ui(ui: &mut Ui, shown: &mut Shown) {
-    if shown.found.cameras.len() < 2 {
+/// The choice among several cameras and pairs.
+fn choices_ui(ui: &mut Ui, shown: &mut Shown) {
+    if shown.found.choices.len() < 2 {
         return;
     }
-    let name = |at: usize, camera: &depth_jobs::Camera| {
-        let place = match (shown.found.pair, shown.found.is_vertical) {
-            (Some([first, _]), false) if first == at => " (left)",
-            (Some([_, second]), false) if second == at => " (right)",
-            (Some([first, _]), true) if first == at => " (upper)",
-            (Some([_, second]), true) if second == at => " (lower)",
-            (Some(_), _) => " (not of the pair)",
-            (None, _) => "",
-        };
-        let size = camera
-            .size
-            .map_or_else(String::new, |[width, height]| format!(", {width} × {height} px"));
-        format!("{}{place}{size}", camera.name)
+    let name = |choice: &depth_jobs::Choice| {
+        let size = choice.camera.size;
+        let size = size.map_or_else(String::new, |[width, height]| format!(", {width} × {height} px"));
+        format!("{}{size}", choice.name)
     };
-    let names: Vec<String> = shown
-        .found
-        .cameras
-        .iter()
-        .enumerate()
-        .map(|(at, camera)| name(at, camera))
-        .collect();
+    let names: Vec<String> = shown.found.choices.iter().map(name).collect();
     let list = List {
-        name: "Camera",
-        shown: names.get(shown.camera).map_or("", String::as_str),
+        name: "Camera or pair",
+        shown: names.get(shown.choice).map_or("", String::as_str),
         width: ui.available_width(),
         names: &names,
-        chosen: Some(shown.camera),
+        chosen: Some(shown.choice),
     };
-    let (_, now) = list.ui(ui, "camera of the file");
-    shown.camera = now.unwrap_or(shown.camera);
+    let (_, now) = list.ui(ui, "camera or pair of the file");
+    if let Some(now) = now {
+        shown.choice = now;
+        shown.unit = None;
+    }
     ui.add_space(theme::STEP);
 }
 
 /// What the files say: each number with where it stands.
 fn numbers_ui(ui: &mut Ui, shown: &Shown) {
-    let Some(camera) = shown.camera() else { return };
+    let Some(choice) = shown.chosen() else { return };
+    let camera = &choice.camera;
     let mut rows: Vec<(&str, String, &str)> = Vec::new();
     if let Some([width, height]) = camera.size {
         rows.push(("Images", format!("{width} × {height} px"), camera.origin.as_str()));
@@ -219,22 +208,20 @@ fn numbers_ui(ui: &mut Ui, shown: &Shown) {
         ));
     }
     match shown.baseline() {
-        Some(depth_jobs::Baseline::Meters(m)) => rows.push((
-            "Baseline",
-            format!("{} mm", number(m * 1000.0)),
-            shown.found.baseline_origin.as_str(),
-        )),
+        Some(depth_jobs::Baseline::Meters(m)) => {
+            rows.push(("Baseline", format!("{} mm", number(m * 1000.0)), choice.baseline_origin.as_str()))
+        }
         Some(depth_jobs::Baseline::InFileUnits { value, .. }) => {
             rows.push((
                 "Baseline",
                 format!("{}, in a unit that the file does not say", number(value)),
-                shown.found.baseline_origin.as_str(),
+                choice.baseline_origin.as_str(),
             ));
         }
         None => rows.push(("Baseline", "none".to_owned(), "")),
     }
-    if let Some(doffs) = shown.found.doffs_px.filter(|_| shown.baseline().is_some()) {
-        rows.push(("doffs", format!("{} px", number(doffs)), shown.found.doffs_origin.as_str()));
+    if let Some(doffs) = choice.doffs_px {
+        rows.push(("doffs", format!("{} px", number(doffs)), choice.doffs_origin.as_str()));
     }
     rows_ui(ui, "What the file says", ["Quantity", "Value", "Where it stands"], &rows);
 }

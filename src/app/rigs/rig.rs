@@ -3,7 +3,7 @@
 
 use crate::core::quantity::LengthUnit;
 use crate::core::setup::Pair;
-use depth_jobs::{Baseline, Calibration, Camera};
+use depth_jobs::{Baseline, Camera, Choice};
 use depth_text::entry::Entry;
 use depth_text::field::Key;
 use depth_text::fields;
@@ -80,17 +80,17 @@ impl Rig {
         fields::ZERO,
     ];
 
-    /// What the camera at `at` of `found` is, which was read from files with these `names`. Its baseline belongs to it where it is one of
-    /// the pair.
-    pub fn of_calibration(found: &Calibration, at: usize, names: &[String], unit: Option<&str>) -> Self {
+    /// What was chosen of files of this format, with these `names`; the unit of its baseline, where the files do not say it.
+    pub fn of_calibration(choice: &Choice, format: &str, names: &[String], unit: Option<&str>) -> Self {
+        let camera = &choice.camera;
         let mut inputs = Inputs::default();
         let mut rig = Self {
-            source: format!("{} ({})", names.join(", "), found.format),
+            name: first_name(names, format),
+            source: format!("{} ({format})", names.join(", ")),
+            basis: if camera.is_rectified { Basis::Rectified } else { Basis::Raw },
+            distortion: distortion(camera),
             ..Self::default()
         };
-        let Some(camera) = found.cameras.get(at) else { return rig };
-        rig.basis = if camera.is_rectified { Basis::Rectified } else { Basis::Raw };
-        rig.distortion = distortion(camera);
         if let Some([width, height]) = camera.size {
             *inputs.entry_mut(fields::FRAME_WIDTH) = Entry::new(width.to_string(), None);
             *inputs.entry_mut(fields::FRAME_HEIGHT) = Entry::new(height.to_string(), None);
@@ -104,15 +104,13 @@ impl Rig {
                 entry.sigma = number(sigma);
             }
         }
-        let is_of_pair = found.pair.is_some_and(|pair| pair.contains(&at));
-        if let Some(baseline) = found.baseline.filter(|_| is_of_pair) {
+        if let Some(baseline) = choice.baseline {
             *inputs.entry_mut(fields::BASELINE) = baseline_entry(baseline, unit);
-            if let Some(doffs) = found.doffs_px.filter(|doffs| *doffs != 0.0) {
+            if let Some(doffs) = choice.doffs_px.filter(|doffs| *doffs != 0.0) {
                 *inputs.entry_mut(fields::DOFFS) = Entry::new(number(doffs), None);
             }
-            inputs.pair = if found.is_vertical { Pair::Vertical } else { Pair::Horizontal };
+            inputs.pair = if choice.is_vertical { Pair::Vertical } else { Pair::Horizontal };
         }
-        rig.name = first_name(found, names);
         rig.inputs = inputs;
         rig
     }
@@ -179,8 +177,8 @@ fn distortion(camera: &Camera) -> String {
 }
 
 /// What to call a rig from files with these names.
-fn first_name(found: &Calibration, names: &[String]) -> String {
+fn first_name(names: &[String], format: &str) -> String {
     let file = names.first().map_or("", String::as_str);
     let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);
-    if stem.is_empty() { found.format.clone() } else { stem.to_owned() }
+    if stem.is_empty() { format.to_owned() } else { stem.to_owned() }
 }

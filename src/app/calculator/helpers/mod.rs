@@ -79,12 +79,24 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: &Solved)
             if let Some(way) = way {
                 use_ui(ui, cx, way, solved.of_way(way));
             }
-            close_button_ui(ui, cancel.text(), cx.layout)
+            let closes = close_button_ui(ui, cancel.text(), cx.layout);
+            if helper == Helper::FocalLength {
+                file_ui(ui, cx);
+            }
+            closes
         })
         .inner
     });
     if response.inner || response.should_close() {
         cx.commands.push(cancel);
+    }
+}
+
+/// The way from here to a calibration file, which has the baseline too.
+fn file_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    let open = Command::ShowImport;
+    if text::link_button_ui(ui, open.text(), cx.layout).clicked() {
+        cx.commands.extend([Command::Help(None), open]);
     }
 }
 
