@@ -146,7 +146,6 @@ impl Command {
             Self::ShowImport => "Calibration file…",
             Self::OpenFiles => "Open files…",
             Self::AddFiles => "Add another file…",
-            Self::ReadText(_) => "Read the text",
             Self::AddRig(_) => "New rig",
             Self::UseCalibration(_) | Self::UseRig(_) => "Use in calculator",
             Self::RemoveRig(_) => "Remove",
@@ -167,6 +166,7 @@ impl Command {
             | Self::GoTo(_)
             | Self::Drag(..)
             | Self::ShowRig(_)
+            | Self::ReadText(_)
             | Self::Settle => "",
         }
     }
@@ -266,7 +266,10 @@ impl Command {
 
     /// Whether the notice bar stays open. A link that names no field must not close it; one that does opens another.
     pub const fn keeps_notice(&self) -> bool {
-        matches!(self, Self::Settle | Self::Theme(_) | Self::Follow(_) | Self::GoTo(_))
+        matches!(
+            self,
+            Self::Settle | Self::Theme(_) | Self::Follow(_) | Self::GoTo(_) | Self::ShowRig(_)
+        )
     }
 }
 

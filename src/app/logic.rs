@@ -62,6 +62,7 @@ impl App {
                 }
             }
             Event::Opened(opened) => self.take_opened(ctx, opened),
+            Event::Dropped(dropped) => self.take_dropped_files(ctx, dropped),
             Event::Job(report) => {
                 if let Some(import) = &mut self.import {
                     import.hear(report);

@@ -4,7 +4,7 @@ use super::App;
 use super::command::Command;
 use super::import::Import;
 use super::platform::{FileContents, OpenedFile};
-use super::rigs::{self, Rig};
+use super::rigs::{self, Rig, RigsInFile};
 use super::saved::Screen;
 use super::sentences::{NoticeText, PlatformError};
 
@@ -12,21 +12,23 @@ impl App {
     /// Carries out a command about files and rigs.
     pub(super) fn carry_out_on_rigs(&mut self, ctx: &egui::Context, command: Command) {
         match command {
-            Command::ShowImport => self.import = Some(Import::default()),
-            Command::CloseImport => {
-                if let Some(mut import) = self.import.take() {
-                    import.give_up(ctx, &mut *self.platform);
-                }
+            Command::ShowImport => {
+                self.close_import(ctx);
+                self.import = Some(Import::default());
             }
-            Command::OpenFiles => self.platform.open_files(ctx),
-            Command::AddFiles => {
+            Command::CloseImport => self.close_import(ctx),
+            Command::OpenFiles | Command::AddFiles => {
                 if let Some(import) = &mut self.import {
-                    import.add_to_these();
+                    import.add_to_these(command == Command::AddFiles);
                 }
                 self.platform.open_files(ctx);
             }
-            Command::ReadText(text) => self.read(ctx, Import::of_text(text)),
-            Command::AddRig(rig) => self.add_rig(*rig),
+            Command::ReadText(text) => self.take_dropped_files(ctx, Ok(Import::of_text(text))),
+            Command::AddRig(rig) => {
+                self.close_import(ctx);
+                self.settings.rigs.add(*rig);
+                self.settings.screen = Screen::Rigs;
+            }
             Command::UseCalibration(rig) => {
                 self.settings.rigs.add((*rig).clone());
                 self.use_rig(ctx, &rig);
@@ -52,20 +54,34 @@ impl App {
         }
     }
 
-    /// Takes what was opened: rigs that this program saved, else calibration files.
+    /// Takes what was dropped or pasted, in the place of what was opened before.
+    pub(super) fn take_dropped_files(&mut self, ctx: &egui::Context, opened: Result<Vec<OpenedFile>, PlatformError>) {
+        if let Some(import) = &mut self.import {
+            import.add_to_these(false);
+        }
+        self.take_opened(ctx, opened);
+    }
+
+    /// Takes what was opened: rigs that this program saved, and calibration files.
     pub(super) fn take_opened(&mut self, ctx: &egui::Context, opened: Result<Vec<OpenedFile>, PlatformError>) {
         let files = match (opened, &mut self.import) {
             (Ok(files), _) => files,
             (Err(error), Some(import)) => return import.fail(error.to_string()),
             (Err(error), None) => return self.say(NoticeText::NotOpened(error), None),
         };
-        if files.is_empty() {
-            return;
+        let (mut found, mut others) = (None, Vec::new());
+        for file in files {
+            match rigs::from_file(&file.bytes) {
+                RigsInFile::None => others.push(file),
+                RigsInFile::Some(rigs) => found.get_or_insert_with(Vec::new).extend(rigs),
+                RigsInFile::Unreadable => return self.say(NoticeText::RigsNotRead { file: file.name }, None),
+            }
         }
-        let of_ours: Option<Vec<Vec<Rig>>> = files.iter().map(|file| rigs::from_file(&file.bytes)).collect();
-        match of_ours {
-            Some(rigs) => self.add_rigs(rigs.into_iter().flatten().collect()),
-            None => self.read(ctx, files),
+        if let Some(rigs) = found {
+            self.add_rigs(ctx, rigs);
+        }
+        if !others.is_empty() {
+            self.read(ctx, others);
         }
     }
 
@@ -79,18 +95,21 @@ impl App {
 
     fn read(&mut self, ctx: &egui::Context, files: Vec<OpenedFile>) {
         self.last_run += 1;
+        // One dialog at a time.
+        self.dialog = None;
+        self.calculator.helper = None;
         let import = self.import.get_or_insert_default();
         import.read(ctx, &mut *self.platform, (self.last_run, files));
     }
 
-    fn add_rig(&mut self, rig: Rig) {
-        self.import = None;
-        self.settings.rigs.add(rig);
-        self.settings.screen = Screen::Rigs;
+    fn close_import(&mut self, ctx: &egui::Context) {
+        if let Some(mut import) = self.import.take() {
+            import.give_up(ctx, &mut *self.platform);
+        }
     }
 
-    fn add_rigs(&mut self, rigs: Vec<Rig>) {
-        self.import = None;
+    fn add_rigs(&mut self, ctx: &egui::Context, rigs: Vec<Rig>) {
+        self.close_import(ctx);
         let before = self.settings.rigs.all.len();
         let count = rigs.len();
         for rig in rigs {
@@ -103,7 +122,7 @@ impl App {
     }
 
     fn use_rig(&mut self, ctx: &egui::Context, rig: &Rig) {
-        self.import = None;
+        self.close_import(ctx);
         let name = rig.shown_name().to_owned();
         self.open(ctx, rig.used_in(&self.session.inputs), NoticeText::FilledByRig(name));
     }

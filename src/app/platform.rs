@@ -42,7 +42,7 @@ pub trait Platform {
     /// Has the person choose files; what they hold comes later as [`Event::Opened`], nothing where the person chooses none.
     fn open_files(&mut self, ctx: &egui::Context);
 
-    /// Reads files that were dropped on the window; what they hold comes later as [`Event::Opened`]. A browser hands them to the page
+    /// Reads files that were dropped on the window; what they hold comes later as [`Event::Dropped`]. A browser hands them to the page
     /// and not to egui, which is told of those alone that are dropped on its canvas.
     fn read_dropped(&mut self, _ctx: &egui::Context, _files: Vec<DroppedFileHandle>) {}
 
@@ -99,8 +99,10 @@ pub enum Event {
     Link(String),
     /// The person went back or forward to the screen with this name.
     Screen(String),
-    /// What files hold that were chosen or dropped.
+    /// What files hold that were chosen.
     Opened(Result<Vec<OpenedFile>, PlatformError>),
+    /// What files hold that were dropped.
+    Dropped(Result<Vec<OpenedFile>, PlatformError>),
     /// What work beside the window reports.
     Job(Report),
 }

@@ -18,6 +18,10 @@ impl App {
     /// Draws a frame and queues its commands for [`Self::update`].
     pub(super) fn frame_ui(&mut self, ui: &mut Ui) {
         let mut commands = Vec::from_iter(shortcuts::pressed(ui.ctx()));
+        // On other screens nobody sees what they would do.
+        if self.settings.screen == Screen::Rigs {
+            commands.retain(|command| !matches!(command, Command::Undo | Command::Redo));
+        }
         commands.extend(pasted_file(ui.ctx()));
         let ctx = ui.ctx().clone();
         let cx = &mut AppContext {

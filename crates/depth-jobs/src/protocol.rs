@@ -6,8 +6,11 @@ use serde::{Deserialize, Serialize};
 /// The version of this protocol. Page and worker of one build have the same.
 pub const PROTOCOL: u32 = 1;
 
-/// Bytes of the largest calibration file that is read.
+/// Bytes of the largest calibration file that is read, and of all of them together.
 pub const LARGEST_FILE: usize = 16 << 20;
+
+/// No calibration has more files.
+pub const MOST_FILES: usize = 16;
 
 /// The number of a piece of work, which its reports bear. No two have the same.
 pub type Run = u32;

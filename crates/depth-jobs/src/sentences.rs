@@ -19,8 +19,8 @@ impl Display for Failure {
             ),
             Self::Stopped { reason } => write!(
                 f,
-                "Reading stopped because of an error in the program ({}). Nothing has changed. Try again; if it stops again, this file is \
-                 one that it cannot read.",
+                "Reading stopped because of an error in the program ({}). Try again; if it stops again, this file is one that it cannot \
+                 read.",
                 reason.trim_end_matches('.')
             ),
         }

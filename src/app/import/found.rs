@@ -48,14 +48,25 @@ impl Shown {
             square: Entry::default(),
             found,
         };
-        if let Some(Baseline::InFileUnits {
-            guess: Guess::Squares { size },
-            ..
-        }) = shown.baseline()
-        {
-            shown.square = Entry::new(crate::app::rigs::number(size), fields::SQUARE_SIZE.kind.length_unit());
-        }
+        shown.choose(0);
         shown
+    }
+
+    /// Chooses the camera or pair at this place: what was said of another does not hold for it.
+    pub fn choose(&mut self, choice: usize) {
+        self.choice = choice;
+        self.unit = None;
+        self.square = match self.baseline() {
+            Some(Baseline::InFileUnits {
+                guess: Guess::Squares { size },
+                ..
+            }) => {
+                // Nobody prints squares of a meter, nor of a thousandth of a millimeter.
+                let unit = if size < 1.0 { LengthUnit::Meter } else { LengthUnit::Millimeter };
+                Entry::new(crate::app::rigs::number(size), Some(unit))
+            }
+            _ => Entry::new("", fields::SQUARE_SIZE.kind.length_unit()),
+        };
     }
 
     /// What was chosen of it.
@@ -120,7 +131,7 @@ impl Shown {
 mod tests {
     use super::{FileUnit, Shown};
     use crate::core::quantity::LengthUnit;
-    use depth_jobs::{Baseline, Calibration, Choice, Guess};
+    use depth_jobs::{Baseline, Calibration, Camera, Choice, Guess};
     use depth_text::fields;
     use depth_text::reading;
 
@@ -175,6 +186,10 @@ mod tests {
         assert!((meters(&shown).unwrap() - 0.08).abs() < 1e-12);
         shown.square.text.clear();
         assert_eq!(shown.rig(&[]), None, "the size is asked for");
+        let guess = Guess::Squares { size: 0.025 };
+        let mut shown = Shown::new(found(Baseline::InFileUnits { value: 3.2, guess }));
+        shown.unit = Some(0);
+        assert!((meters(&shown).unwrap() - 0.08).abs() < 1e-12, "squares of 25 mm, in meters");
     }
 
     #[test]
@@ -187,7 +202,7 @@ mod tests {
         assert_eq!(rig.inputs.entry(fields::DOFFS).text, "3");
         assert_eq!(rig.inputs.entry(fields::FRAME_WIDTH).text, "640");
         assert_eq!(rig.distortion, "-0.25, 0.5");
-        shown.choice = 1;
+        shown.choose(1);
         assert_eq!(meters(&shown), None);
     }
 

@@ -19,6 +19,8 @@ pub struct Import {
     adds: bool,
     /// What is pasted.
     pub text: String,
+    /// Why files could not be opened, while what is there stays.
+    obstacle: Option<String>,
     state: State,
 }
 
@@ -48,6 +50,7 @@ impl Import {
     /// Reads `files`, beside those that are there where that was asked for.
     pub fn read(&mut self, ctx: &egui::Context, platform: &mut dyn Platform, (run, files): (Run, Vec<OpenedFile>)) {
         self.give_up(ctx, platform);
+        self.obstacle = None;
         if !std::mem::take(&mut self.adds) {
             self.files.clear();
         }
@@ -58,9 +61,9 @@ impl Import {
         platform.start(ctx, run, Job::ReadCalibration { names }, attachments);
     }
 
-    /// The next files come beside those that are there.
-    pub const fn add_to_these(&mut self) {
-        self.adds = true;
+    /// Whether the next files come beside those that are there, or in their place.
+    pub const fn add_to_these(&mut self, adds: bool) {
+        self.adds = adds;
     }
 
     /// Ends what is being read.
@@ -84,9 +87,10 @@ impl Import {
         };
     }
 
-    /// Says why files could not be opened.
+    /// Says why files could not be opened. What is there stays.
     pub fn fail(&mut self, why: String) {
-        self.state = State::Failed(why);
+        self.adds = false;
+        self.obstacle = Some(why);
     }
 
     /// What came of them as a rig, where all that has to be known is known.

@@ -7,12 +7,13 @@ use crate::app::context::AppContext;
 use crate::app::dialog::{DialogFrame, close_button_ui};
 use crate::app::rigs::{MOST, Rig, number};
 use crate::app::theme;
-use crate::app::widgets::field::{self, Field};
+use crate::app::widgets::field::Field;
 use crate::app::widgets::menu::List;
 use crate::app::widgets::table::{self, Cell};
-use crate::app::widgets::{scroll, text};
+use crate::app::widgets::{scroll, text, text_menu};
 use depth_text::field::Key;
 use depth_text::fields;
+use depth_text::names::Named as _;
 use depth_text::note::Severity;
 use depth_text::reading;
 use egui::accesskit::Role;
@@ -36,11 +37,16 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, import: &mut Import) {
         ui.add_space(theme::STEP);
         let height = ui.ctx().content_rect().height() - theme::IMPORT_FRAME_HEIGHT;
         let names = import.names();
-        scroll::up_to_ui(ui, height, |ui| match &mut import.state {
-            State::Asking => asking_ui(ui, cx, &mut import.text),
-            State::Reading(_) => reading_ui(ui, &names),
-            State::Failed(why) => failed_ui(ui, cx, &names, why),
-            State::Found(shown) => found_ui(ui, cx, &names, shown),
+        scroll::up_to_ui(ui, height, |ui| {
+            if let Some(why) = &import.obstacle {
+                error_ui(ui, why);
+            }
+            match &mut import.state {
+                State::Asking => asking_ui(ui, cx, &mut import.text),
+                State::Reading(_) => reading_ui(ui, &names),
+                State::Failed(why) => failed_ui(ui, cx, &names, why),
+                State::Found(shown) => found_ui(ui, cx, &names, shown),
+            }
         });
         ui.add_space(2.0 * theme::STEP);
         ui.horizontal_wrapped(|ui| {
@@ -57,8 +63,8 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, import: &mut Import) {
     }
 }
 
-fn button_ui(ui: &mut Ui, cx: &mut AppContext<'_>, command: Command) {
-    let button = Button::new(command.text()).min_size(vec2(0.0, cx.layout.control_height()));
+fn button_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (command, words): (Command, &str)) {
+    let button = Button::new(words).min_size(vec2(0.0, cx.layout.control_height()));
     if ui.add(button).clicked() {
         cx.commands.push(command);
     }
@@ -67,7 +73,7 @@ fn button_ui(ui: &mut Ui, cx: &mut AppContext<'_>, command: Command) {
 fn asking_ui(ui: &mut Ui, cx: &mut AppContext<'_>, typed: &mut String) {
     text::paragraph_ui(ui, LEAD);
     ui.add_space(theme::STEP);
-    button_ui(ui, cx, Command::OpenFiles);
+    button_ui(ui, cx, (Command::OpenFiles, Command::OpenFiles.text()));
     text::caption_ui(ui, "Or drop them anywhere on this window.");
     ui.add_space(2.0 * theme::STEP);
     let palette = theme::palette(ui);
@@ -76,25 +82,31 @@ fn asking_ui(ui: &mut Ui, cx: &mut AppContext<'_>, typed: &mut String) {
             .font(theme::strong(theme::BODY_SIZE))
             .color(palette.text),
     );
-    ui.add(
+    let pasted = ui.add(
         TextEdit::multiline(typed)
             .id(Id::unique("text of a calibration file"))
             .desired_rows(4)
             .desired_width(ui.available_width())
             .hint_text(RichText::new("%YAML:1.0\n---\nM1: !!opencv-matrix …").color(palette.muted)),
-    )
-    .labelled_by(label.id);
+    );
+    let pasted = pasted.labelled_by(label.id);
+    text_menu::ui(&pasted, typed, cx.commands);
     ui.add_space(theme::STEP);
-    let read = Command::ReadText(typed.clone());
-    let button = Button::new(read.text()).min_size(vec2(0.0, cx.layout.control_height()));
+    let button = Button::new("Read the text").min_size(vec2(0.0, cx.layout.control_height()));
     if ui.add_enabled(!typed.trim().is_empty(), button).clicked() {
-        cx.commands.push(read);
+        cx.commands.push(Command::ReadText(typed.clone()));
     }
 }
 
 fn reading_ui(ui: &mut Ui, names: &[String]) {
     let said = ui.label(format!("Reading {}…", names.join(", ")));
     text::announce(ui, &said);
+}
+
+fn error_ui(ui: &mut Ui, why: &str) {
+    let said = ui.label(RichText::new(text::note(why)).color(text::note_color(ui, Severity::Error)));
+    text::announce(ui, &said);
+    ui.add_space(theme::STEP);
 }
 
 fn failed_ui(ui: &mut Ui, cx: &mut AppContext<'_>, names: &[String], why: &str) {
@@ -106,14 +118,15 @@ fn failed_ui(ui: &mut Ui, cx: &mut AppContext<'_>, names: &[String], why: &str) 
                 .color(palette.text),
         );
     }
-    let said = ui.label(RichText::new(text::note(why)).color(text::note_color(ui, Severity::Error)));
-    text::announce(ui, &said);
-    ui.add_space(theme::STEP);
+    error_ui(ui, why);
     text::caption_ui(ui, "Nothing was changed.");
     ui.add_space(theme::STEP);
     ui.horizontal_wrapped(|ui| {
-        button_ui(ui, cx, Command::OpenFiles);
-        button_ui(ui, cx, Command::ShowImport);
+        button_ui(ui, cx, (Command::OpenFiles, "Open other files…"));
+        if !names.is_empty() {
+            button_ui(ui, cx, (Command::AddFiles, Command::AddFiles.text()));
+        }
+        button_ui(ui, cx, (Command::ShowImport, "Start over"));
     });
 }
 
@@ -135,7 +148,7 @@ fn found_ui(ui: &mut Ui, cx: &mut AppContext<'_>, names: &[String], shown: &mut 
     numbers_ui(ui, shown);
     unit_ui(ui, cx, shown);
     changes_ui(ui, cx, shown.rig(names));
-    ui.horizontal_wrapped(|ui| button_ui(ui, cx, Command::AddFiles));
+    ui.horizontal_wrapped(|ui| button_ui(ui, cx, (Command::AddFiles, Command::AddFiles.text())));
     if !shown.found.ignored.is_empty() {
         ui.add_space(theme::STEP);
         text::caption_ui(ui, format!("Not read: {}", shown.found.ignored.join("; ")));
@@ -161,9 +174,8 @@ fn choices_ui(ui: &mut Ui, shown: &mut Shown) {
         chosen: Some(shown.choice),
     };
     let (_, now) = list.ui(ui, "camera or pair of the file");
-    if let Some(now) = now {
-        shown.choice = now;
-        shown.unit = None;
+    if let Some(now) = now.filter(|now| *now != shown.choice) {
+        shown.choose(now);
     }
     ui.add_space(theme::STEP);
 }
@@ -257,7 +269,7 @@ fn unit_ui(ui: &mut Ui, cx: &mut AppContext<'_>, shown: &mut Shown) {
     let names: Vec<String> = shown.units().into_iter().map(|unit| unit.offer(&value)).collect();
     text::caption_ui(
         ui,
-        "The baseline has the unit in which the squares of the board were measured, which the file does not say. Which is it?",
+        "The file does not say the unit of the baseline: it is the one in which the squares of the board were measured, or that of whoever wrote the file. Which is it?",
     );
     let list = List {
         name: "The baseline is",
@@ -279,7 +291,7 @@ fn unit_ui(ui: &mut Ui, cx: &mut AppContext<'_>, shown: &mut Shown) {
             entry: &mut shown.square,
             with_sigma: false,
             helper: None,
-            id: field::id(key),
+            id: Id::unique("square of the board of a file"),
             submits: false,
         }
         .ui(ui, cx.commands);

@@ -7,7 +7,7 @@ use crate::app::context::AppContext;
 use crate::app::theme;
 use crate::app::widgets::field::Field;
 use crate::app::widgets::joined::{self, Cells};
-use crate::app::widgets::{choice, text};
+use crate::app::widgets::{choice, text, text_menu};
 use crate::core::setup::Pair;
 use depth_text::assess::Assessment;
 use depth_text::field::Key;
@@ -34,15 +34,20 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, assessment: Option<&Assessment>)
     ui.scope_builder(UiBuilder::new().scope_id(Id::unique(("editor of a rig", at))), |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.add_space(theme::STEP);
-        text_field_ui(ui, (at, "Name"), &mut rig.name, "Robot, front");
+        text_field_ui(ui, (at, "Name"), (&mut rig.name, "Robot, front"), &mut commands);
         for (heading, keys) in GROUPS {
             group_heading_ui(ui, heading, rig);
             for pair in keys.chunks(2) {
                 pair_ui(ui, (at, pair), rig, assessment, &mut commands);
             }
         }
-        text_field_ui(ui, (at, "Distortion"), &mut rig.distortion, "plumb bob: −0.28, 0.07, 0, 0");
-        text_field_ui(ui, (at, "Source"), &mut rig.source, "Calibration of November");
+        text_field_ui(
+            ui,
+            (at, "Distortion"),
+            (&mut rig.distortion, "plumb bob: −0.28, 0.07, 0, 0"),
+            &mut commands,
+        );
+        text_field_ui(ui, (at, "Source"), (&mut rig.source, "Calibration of November"), &mut commands);
     });
     ui.add_space(2.0 * theme::STEP);
     ui.horizontal_wrapped(|ui| {
@@ -134,7 +139,7 @@ fn field_ui(ui: &mut Ui, (at, key): (usize, Key), rig: &mut Rig, assessment: Opt
 }
 
 /// A field for a text that is no number.
-fn text_field_ui(ui: &mut Ui, (at, name): (usize, &str), typed: &mut String, example: &str) {
+fn text_field_ui(ui: &mut Ui, (at, name): (usize, &str), (typed, example): (&mut String, &str), commands: &mut Vec<Command>) {
     let palette = theme::palette(ui);
     let label = ui.label(RichText::new(name).font(theme::strong(theme::BODY_SIZE)).color(palette.text));
     ui.add_space(theme::LABEL_GAP);
@@ -145,6 +150,7 @@ fn text_field_ui(ui: &mut Ui, (at, name): (usize, &str), typed: &mut String, exa
     let id = Id::unique(("text of a rig", at, name));
     let output = joined::words_ui(ui, cells.value, typed, (id, example));
     let response = output.response.response.labelled_by(label.id);
+    text_menu::ui(&response, typed, commands);
     joined::border_ui(ui, &cells, None, response.has_focus());
     ui.add_space(2.0 * theme::STEP);
 }

@@ -33,9 +33,11 @@ impl RigList {
         self.all.len() < MOST
     }
 
-    /// Adds `rig` and shows it, where there is room.
+    /// Adds `rig` and shows it, where there is room. What is there already is only shown.
     pub fn add(&mut self, rig: Rig) {
-        if self.has_room() {
+        if let Some(at) = self.all.iter().position(|one| *one == rig && !rig.is_blank()) {
+            self.shown = at;
+        } else if self.has_room() {
             self.all.push(rig);
             self.shown = self.all.len() - 1;
         }
@@ -87,11 +89,25 @@ impl RigList {
     }
 }
 
-/// The rigs of such a file; `None` for any other file.
-pub fn from_file(bytes: &[u8]) -> Option<Vec<Rig>> {
-    let text = std::str::from_utf8(bytes).ok()?;
-    let file: RigFile = serde_json::from_str(text.trim_start_matches('\u{feff}')).ok()?;
-    (file.depth_calculator_rigs == VERSION).then_some(file.rigs)
+/// What a file says of rigs.
+#[derive(Debug, PartialEq, Eq)]
+pub enum RigsInFile {
+    /// It is another file.
+    None,
+    /// These.
+    Some(Vec<Rig>),
+    /// It is a file of rigs, of another version or damaged.
+    Unreadable,
+}
+
+/// The rigs of a file that [`RigList::to_file`] wrote.
+pub fn from_file(bytes: &[u8]) -> RigsInFile {
+    let text = std::str::from_utf8(bytes).unwrap_or_default().trim_start_matches('\u{feff}');
+    match serde_json::from_str::<RigFile>(text) {
+        Ok(file) if file.depth_calculator_rigs == VERSION => RigsInFile::Some(file.rigs.into_iter().map(Rig::cleaned).collect()),
+        _ if text.trim_start().starts_with("{\"depth_calculator_rigs\"") => RigsInFile::Unreadable,
+        _ => RigsInFile::None,
+    }
 }
 
 /// How the rigs are told apart: A, B and so on.
@@ -100,9 +116,9 @@ pub fn letter(at: usize) -> char {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "tests")]
+#[allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 mod tests {
-    use super::{Entry, Rig, RigList, from_file};
+    use super::{Entry, Rig, RigList, RigsInFile, from_file};
     use depth_text::fields;
 
     fn rig(name: &str) -> Rig {
@@ -139,9 +155,27 @@ mod tests {
         let mut list = RigList::default();
         list.add(rig("Left of the robot"));
         let file = list.to_file().unwrap();
-        assert_eq!(from_file(file.as_bytes()).unwrap(), list.all);
-        for other in ["", "{}", "{\"fx\": 700}", "fx: 700", &file.replace(":1,", ":9,")] {
-            assert!(from_file(other.as_bytes()).is_none(), "{other}");
+        assert_eq!(from_file(file.as_bytes()), RigsInFile::Some(list.all));
+        for other in ["", "{}", "{\"fx\": 700}", "fx: 700"] {
+            assert_eq!(from_file(other.as_bytes()), RigsInFile::None, "{other}");
         }
+        for damaged in [file.replace(":1,", ":9,"), file.replace("\"rigs\":[", "\"rigs\":{")] {
+            assert_eq!(from_file(damaged.as_bytes()), RigsInFile::Unreadable, "{damaged}");
+        }
+    }
+
+    #[test]
+    fn what_a_file_brings_that_no_rig_has_is_left_out() {
+        let long = "x".repeat(10_000);
+        let file = format!(
+            "{{\"depth_calculator_rigs\":1,\"rigs\":[{{\"name\":\"a\\u0000b{long}\",\"inputs\":{{\"entries\":{{\"fx\":{{\"text\":\"700\"}},\"d\":{{\"text\":\"50\"}}}}}}}}]}}"
+        );
+        let RigsInFile::Some(rigs) = from_file(file.as_bytes()) else {
+            panic!("{file}")
+        };
+        let rig = rigs.first().unwrap();
+        assert!(rig.name.starts_with("abx") && rig.name.len() < 300);
+        assert_eq!(rig.inputs.entry(fields::FOCAL_LENGTH).text, "700");
+        assert!(rig.inputs.entry(fields::DISPARITY).is_blank());
     }
 }

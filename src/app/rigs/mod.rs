@@ -6,7 +6,7 @@ mod list;
 mod overview;
 mod rig;
 
-pub use list::{FILE_NAME, RigList, from_file};
+pub use list::{FILE_NAME, RigList, RigsInFile, from_file};
 pub use rig::{MOST, Rig, number};
 
 use super::context::AppContext;

@@ -15,6 +15,9 @@ use serde::{Deserialize, Serialize};
 /// Nobody compares more.
 pub const MOST: usize = 6;
 
+/// Characters of the longest text that is taken from a file.
+const LONGEST: usize = 250;
+
 /// Of which images a focal length is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -86,7 +89,7 @@ impl Rig {
         let mut inputs = Inputs::default();
         let mut rig = Self {
             name: first_name(names, format),
-            source: format!("{} ({format})", names.join(", ")),
+            source: format!("{} ({format}: {})", names.join(", "), choice.name),
             basis: if camera.is_rectified { Basis::Rectified } else { Basis::Raw },
             distortion: distortion(camera),
             ..Self::default()
@@ -119,20 +122,52 @@ impl Rig {
     /// but for a baseline, which somebody with one camera may have typed.
     pub fn used_in(&self, before: &Inputs) -> Inputs {
         let mut inputs = before.clone();
+        if !self.inputs.entry(fields::BASELINE).is_blank() {
+            inputs.pair = self.inputs.pair;
+        }
         for key in Self::SHARED {
             let entry = self.inputs.entry(key);
             if entry.is_blank() && key == fields::BASELINE {
                 continue;
             }
             // fy counts for what is measured along the columns; where it is fx it is no news.
-            let is_news = key != fields::FY || entry.text != self.inputs.entry(fields::FOCAL_LENGTH).text || inputs.needs_fy();
+            let is_news = key != fields::FY || entry != self.inputs.entry(fields::FOCAL_LENGTH) || inputs.needs_fy();
             *inputs.entry_mut(key) = if is_news { entry.clone() } else { Entry::default() };
         }
         inputs.edited(fields::FOCAL_LENGTH);
-        if !self.inputs.entry(fields::BASELINE).is_blank() {
-            inputs.pair = self.inputs.pair;
-        }
+        // What is filled in is no longer what is solved for.
+        let is_filled = |field| {
+            Self::SHARED
+                .into_iter()
+                .any(|key| key == field && !self.inputs.entry(key).is_blank())
+        };
+        inputs.unknown = inputs.unknown.filter(|(_, field)| !is_filled(*field));
         inputs
+    }
+
+    /// The same without what no rig has, and with texts that a person could have typed: for a rig from a file.
+    #[must_use]
+    pub fn cleaned(self) -> Self {
+        let short = |text: &str| -> String { text.chars().filter(|one| !one.is_control()).take(LONGEST).collect() };
+        let mut inputs = Inputs {
+            pair: self.inputs.pair,
+            ..Inputs::default()
+        };
+        for key in Self::KEYS {
+            let entry = self.inputs.entry(key);
+            *inputs.entry_mut(key) = Entry {
+                text: short(&entry.text),
+                sigma: short(&entry.sigma),
+                ..entry.clone()
+            };
+        }
+        Self {
+            name: short(&self.name),
+            source: short(&self.source),
+            distortion: short(&self.distortion),
+            basis: self.basis,
+            inputs,
+        }
     }
 
     /// Whether nothing was typed into any of its fields.

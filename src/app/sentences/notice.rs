@@ -33,6 +33,8 @@ pub enum NoticeText {
     RigsAdded { added: usize, left_out: usize },
     /// A rig was removed.
     RigRemoved(String),
+    /// A file of rigs cannot be read.
+    RigsNotRead { file: String },
     /// The rigs cannot be written as text.
     RigsNotSaved { reason: String },
     /// Files could not be opened.
@@ -84,10 +86,19 @@ impl Display for NoticeText {
             Self::FilledByLink => f.write_str("The link filled in the fields that it names."),
             Self::FilledByQMatrix => f.write_str("The Q matrix filled in focal length, baseline, doffs and the principal point (cx, cy)."),
             Self::FilledByRig(name) => write!(f, "“{name}” is filled in."),
+            Self::RigsAdded { added: 0, left_out: 0 } => {
+                f.write_str("No rig was added: those of the file are here already, or it has none.")
+            }
             Self::RigsAdded { added: 0, .. } => f.write_str("No rig was added: there are six already. Remove one first."),
             Self::RigsAdded { added, left_out: 0 } => write!(f, "{added} {} added.", if *added == 1 { "rig was" } else { "rigs were" }),
-            Self::RigsAdded { added, left_out } => write!(f, "{added} of the rigs were added; for {left_out} there was no room."),
+            Self::RigsAdded { added, left_out } => {
+                write!(f, "Rigs added: {added}. There was no room for {left_out} more: remove some first.")
+            }
             Self::RigRemoved(name) => write!(f, "“{name}” was removed."),
+            Self::RigsNotRead { file } => write!(
+                f,
+                "The rigs in “{file}” cannot be read: it was saved by a newer version of this program, or is damaged. Save it again, or open the calibration files."
+            ),
             Self::RigsNotSaved { reason } => write!(f, "The rigs cannot be written as text: {reason}."),
             Self::Undone => f.write_str("Undone."),
             Self::NothingToUndo => f.write_str("There is nothing to undo."),
@@ -146,6 +157,7 @@ mod tests {
             NoticeText::FilledByQMatrix => NoticeText::FilledByQMatrix,
             NoticeText::FilledByRig(_) => NoticeText::FilledByRig("Robot, front".to_owned()),
             NoticeText::RigsAdded { .. } => NoticeText::RigsAdded { added: 2, left_out: 0 },
+            NoticeText::RigsNotRead { .. } => NoticeText::RigsNotRead { file: "rigs.json".to_owned() },
             NoticeText::RigRemoved(_) => NoticeText::RigRemoved("Robot, front".to_owned()),
             NoticeText::RigsNotSaved { .. } => NoticeText::RigsNotSaved { reason: "key must be a string".to_owned() },
             NoticeText::NotOpened(_) => NoticeText::NotOpened(PlatformError::FileTooLarge { file: "video.mp4".to_owned() }),
@@ -164,6 +176,7 @@ mod tests {
             NoticeText::RigsAdded { added: 1, left_out: 0 },
             NoticeText::RigsAdded { added: 2, left_out: 1 },
             NoticeText::RigsAdded { added: 0, left_out: 3 },
+            NoticeText::RigsAdded { added: 0, left_out: 0 },
             NoticeText::Forgetful {
                 cause: not_loaded(),
                 obstacle: None,

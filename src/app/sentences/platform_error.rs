@@ -12,6 +12,8 @@ pub enum PlatformError {
     NoHomeFolder,
     /// A file that was chosen or dropped cannot be read.
     FileNotOpened { file: String, reason: String },
+    /// More files were chosen or dropped than any calibration has, or larger ones together.
+    TooManyFiles,
     /// A file that was chosen or dropped is larger than any calibration.
     FileTooLarge { file: String },
     /// There is no dialog to choose files in.
@@ -57,6 +59,9 @@ impl Display for PlatformError {
         match self {
             Self::NoHomeFolder => f.write_str("There is no home folder to store anything in."),
             Self::FileNotOpened { file, reason } => write!(f, "“{file}” cannot be read: {}.", reason.trim_end_matches('.')),
+            Self::TooManyFiles => f.write_str(
+                "These are more files than a calibration has: at most 16, of 16 MB together. Open those that the calibration wrote.",
+            ),
             Self::FileTooLarge { file } => write!(
                 f,
                 "“{file}” is larger than 16 MB, which no calibration is. Open the file that the calibration wrote."
@@ -155,6 +160,7 @@ mod tests {
             PlatformError::NoDownload { .. } => PlatformError::NoDownload { reason: browser() },
             PlatformError::NoPicture => PlatformError::NoPicture,
             PlatformError::FileNotOpened { .. } => PlatformError::FileNotOpened { file: "left.yaml".into(), reason: browser() },
+            PlatformError::TooManyFiles => PlatformError::TooManyFiles,
             PlatformError::FileTooLarge { .. } => PlatformError::FileTooLarge { file: "video.mp4".into() },
             PlatformError::NoFileDialog { .. } => PlatformError::NoFileDialog { reason: browser() },
             PlatformError::NoPng { .. } => PlatformError::NoPng { reason: "out of memory".into() },

@@ -17,5 +17,5 @@ pub mod segments;
 pub mod symbols;
 pub mod table;
 pub mod text;
-mod text_menu;
+pub mod text_menu;
 pub mod unit_choice;

@@ -1,7 +1,7 @@
 //! Files that the program gives out, into the folder for downloads, never over another; and files that it is given.
 
 use crate::app::{FileContents, OpenedFile, PlatformError};
-use depth_jobs::LARGEST_FILE;
+use depth_jobs::{LARGEST_FILE, MOST_FILES};
 use std::borrow::Cow;
 use std::fs::{self, File};
 use std::io::{Error, ErrorKind, Read as _, Write as _};
@@ -24,7 +24,15 @@ pub fn folder() -> Result<PathBuf, PlatformError> {
 /// # Errors
 /// Why one of them cannot be read: then none is.
 pub fn read(paths: &[PathBuf]) -> Result<Vec<OpenedFile>, PlatformError> {
-    paths.iter().map(|path| read_one(path)).collect()
+    let files = paths.iter().take(MOST_FILES + 1).map(|path| read_one(path));
+    let mut opened = Vec::new();
+    for file in files {
+        opened.push(file?);
+        if opened.len() > MOST_FILES || opened.iter().map(|file| file.bytes.len()).sum::<usize>() > LARGEST_FILE {
+            return Err(PlatformError::TooManyFiles);
+        }
+    }
+    Ok(opened)
 }
 
 fn read_one(path: &Path) -> Result<OpenedFile, PlatformError> {
@@ -159,6 +167,7 @@ mod tests {
             read(&[good.clone(), large]).unwrap_err(),
             PlatformError::FileTooLarge { file: "video.mp4".into() }
         );
+        assert_eq!(read(&vec![good.clone(); MOST_FILES + 1]).unwrap_err(), PlatformError::TooManyFiles);
         for gone in [folder.join("gone.yaml"), folder.clone()] {
             assert!(matches!(read(&[good.clone(), gone]), Err(PlatformError::FileNotOpened { .. })));
         }

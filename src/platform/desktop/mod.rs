@@ -147,8 +147,12 @@ impl Platform for Desktop {
 
     fn read_dropped(&mut self, ctx: &egui::Context, dropped: Vec<DroppedFileHandle>) {
         let paths: Vec<_> = dropped.iter().map(|file| file.path().to_owned()).collect();
-        self.events.push(Event::Opened(files::read(&paths)));
-        ctx.request_repaint();
+        let (events, ctx) = (self.inbox.0.clone(), ctx.clone());
+        // A slow drive does not hold up the window.
+        std::thread::spawn(move || {
+            events.send(Event::Dropped(files::read(&paths))).ok();
+            ctx.request_repaint();
+        });
     }
 
     fn start(&mut self, ctx: &egui::Context, run: Run, job: Job, attachments: Vec<Attachment>) {

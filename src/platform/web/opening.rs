@@ -3,7 +3,7 @@
 use super::inbox::{Inbox, sentence};
 use super::listeners::{on, on_its_way};
 use crate::app::{Event, OpenedFile, PlatformError};
-use depth_jobs::LARGEST_FILE;
+use depth_jobs::{LARGEST_FILE, MOST_FILES};
 use wasm_bindgen::{JsCast as _, JsValue};
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{File, FileList, HtmlInputElement};
@@ -20,7 +20,7 @@ pub(super) fn listen(inbox: &Inbox) {
         event.stop_propagation();
         let data = event.dyn_ref::<web_sys::DragEvent>().and_then(web_sys::DragEvent::data_transfer);
         if let Some(files) = data.and_then(|data| data.files()) {
-            read(&inbox, &files);
+            read(&inbox, &files, Event::Dropped);
         }
     });
 }
@@ -49,7 +49,7 @@ fn try_choose(inbox: &Inbox) -> Result<(), JsValue> {
     let (inbox, chosen) = (inbox.clone(), input.clone());
     on(&input, "change", move |_| {
         if let Some(files) = chosen.files() {
-            read(&inbox, &files);
+            read(&inbox, &files, Event::Opened);
         }
         chosen.remove();
     });
@@ -57,32 +57,36 @@ fn try_choose(inbox: &Inbox) -> Result<(), JsValue> {
     Ok(())
 }
 
-/// Reads `files`, one after the other.
-fn read(inbox: &Inbox, files: &FileList) {
+/// Reads `files`, one after the other, and tells what came of it.
+fn read(inbox: &Inbox, files: &FileList, event: fn(Result<Vec<OpenedFile>, PlatformError>) -> Event) {
     // A list of the browser is emptied when its event has been handled.
     let files: Vec<File> = (0..files.length()).filter_map(|at| files.get(at)).collect();
     let inbox = inbox.clone();
-    wasm_bindgen_futures::spawn_local(async move {
-        let mut opened = Vec::new();
-        for file in files {
-            match read_one(&file).await {
-                Ok(file) => opened.push(file),
-                Err(error) => {
-                    inbox.add(Event::Opened(Err(error)));
-                    return;
-                }
-            }
-        }
-        inbox.add(Event::Opened(Ok(opened)));
-    });
+    wasm_bindgen_futures::spawn_local(async move { inbox.add(event(read_all(&files).await)) });
+}
+
+async fn read_all(files: &[File]) -> Result<Vec<OpenedFile>, PlatformError> {
+    let bytes: f64 = files.iter().map(|file| file.size()).sum();
+    if files.len() > MOST_FILES || files.len() > 1 && bytes > largest() {
+        return Err(PlatformError::TooManyFiles);
+    }
+    let mut opened = Vec::new();
+    for file in files {
+        opened.push(read_one(file).await?);
+    }
+    Ok(opened)
+}
+
+/// As a browser counts bytes.
+const fn largest() -> f64 {
+    #[allow(clippy::cast_precision_loss, reason = "16 MB: all whole numbers up to 2⁵³ are exact")]
+    let largest = LARGEST_FILE as f64;
+    largest
 }
 
 async fn read_one(file: &File) -> Result<OpenedFile, PlatformError> {
     let name = file.name();
-    // Exact: all whole numbers up to 2⁵³ are.
-    #[allow(clippy::cast_precision_loss, reason = "16 MB")]
-    let largest = LARGEST_FILE as f64;
-    if file.size() > largest {
+    if file.size() > largest() {
         return Err(PlatformError::FileTooLarge { file: name });
     }
     match JsFuture::from(file.array_buffer()).await {

@@ -162,7 +162,7 @@ impl Worker {
             Ok(report @ Report::Progress { .. }) => self.inbox.add(Event::Job(report)),
             Err(_) => {
                 let failed = serde_json::from_str::<Failed>(&header);
-                self.fail(&failed.map_or_else(|_| "it said something else".to_owned(), |failed| failed.failed));
+                self.fail(&failed.map_or_else(|_| "its answer could not be parsed".to_owned(), |failed| failed.failed));
             }
         }
     }
