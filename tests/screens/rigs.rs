@@ -87,8 +87,13 @@ fn what_cannot_be_read_or_opened_says_why() {
     open(&mut program, Ok(vec![file("empty.yml", "")]));
     assert!(program.says("Nothing was changed."), "{}", program.text());
     program.press("Cancel");
-    open(&mut program, Err(PlatformError::FileTooLarge { file: "video.mp4".into() }));
+    open(&mut program, Ok(vec![file("calib.txt", MIDDLEBURY)]));
+    *program.machine.chosen.borrow_mut() = Some(Err(PlatformError::FileTooLarge { file: "video.mp4".into() }));
+    program.press("Add another file…");
     assert!(program.says("“video.mp4” is larger than 16 MB"));
+    assert!(program.says("calib.txt: a calib.txt of Middlebury"), "what was found stays");
+    program.press("Use in calculator");
+    assert_eq!(program.value(FX), "700");
 }
 
 #[test]
@@ -162,5 +167,35 @@ fn six_rigs_are_the_most_and_a_file_of_rigs_brings_them_back() {
     assert!(other.says("6 rigs were added."), "{}", other.text());
     assert!(other.says("F The last"));
     open(&mut other, Ok(vec![file("anything", json)]));
-    assert!(other.says("No rig was added: there are six already."));
+    assert!(other.says("No rig was added"));
+}
+
+#[test]
+fn the_arrow_keys_lead_through_the_rigs_which_are_one_stop_of_tab() {
+    let mut program = Program::new();
+    program.show("Rigs");
+    for _ in 0..3 {
+        program.press("New rig");
+    }
+    let name = |letter: &str| format!("{letter} Rig without a name, no numbers yet");
+    program.harness.get_by_label(&name("C")).focus();
+    program.harness.run();
+    program.harness.key_press(egui::Key::ArrowDown);
+    program.harness.run();
+    assert!(program.harness.get_by_label(&name("A")).is_focused());
+    assert!(program.says("Rig A"));
+    program.harness.key_press(egui::Key::ArrowUp);
+    program.harness.run();
+    assert!(program.harness.get_by_label(&name("C")).is_focused());
+}
+
+#[test]
+fn undo_of_the_calculator_is_not_at_work_behind_the_rigs() {
+    let mut program = Program::new();
+    program.mug();
+    program.show("Rigs");
+    program.harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
+    program.harness.run();
+    program.show("Calculator");
+    assert_eq!(program.value(FX), "700");
 }

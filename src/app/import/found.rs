@@ -208,6 +208,7 @@ mod tests {
 
     #[test]
     fn what_is_used_takes_the_place_of_what_another_rig_left() {
+        use crate::core::problem::{Field, Method};
         use depth_text::entry::Entry;
         use depth_text::form::Example;
         let shown = Shown::new(found(Baseline::Meters(0.12)));
@@ -219,6 +220,10 @@ mod tests {
         assert_eq!(now.entry(fields::BASELINE).text, "120");
         assert_eq!(now.entry(fields::DOFFS).text, "3");
         assert!(now.entry(fields::ZERO).is_blank());
-        assert_eq!(now.entry(fields::DISPARITY), before.entry(fields::DISPARITY));
+        for (solved_for, stays) in [(Field::Baseline, false), (Field::Disparity, true)] {
+            before.unknown = Some((Method::Stereo, solved_for));
+            assert_eq!(shown.rig(&[]).unwrap().used_in(&before).unknown.is_some(), stays, "{solved_for:?}");
+        }
+        assert_eq!(now.entry(fields::DISPARITY).text, "50");
     }
 }

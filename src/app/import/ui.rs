@@ -305,20 +305,27 @@ fn changes_ui(ui: &mut Ui, cx: &AppContext<'_>, rig: Option<Rig>) {
     let after = rig.used_in(before);
     let written = |key: Key, inputs: &depth_text::form::Inputs| {
         let entry = inputs.entry(key);
-        let unit = entry
-            .unit
-            .map_or_else(|| key.unit_symbol().to_owned(), |unit| unit.symbol().to_owned());
         if entry.is_blank() {
-            "nothing".to_owned()
-        } else {
-            format!("{} {unit}", entry.text).trim_end().to_owned()
+            return "nothing".to_owned();
         }
+        let chosen = entry.unit.map(crate::core::quantity::LengthUnit::symbol);
+        let unit = chosen.unwrap_or_else(|| key.unit_symbol());
+        let sigma = if entry.sigma.is_empty() {
+            String::new()
+        } else {
+            format!(" ± {}", entry.sigma)
+        };
+        format!("{}{sigma} {unit}", entry.text).trim_end().to_owned()
     };
     let keys = Rig::KEYS.into_iter().filter(|key| key.section.is_some());
-    let changes: Vec<String> = keys
-        .filter(|key| before.entry(*key) != after.entry(*key))
-        .map(|key| format!("{}: {} → {}", key.symbol, written(key, before), written(key, &after)))
+    let mut changes: Vec<String> = keys
+        .map(|key| (key, written(key, before), written(key, &after)))
+        .filter(|(_, before, after)| before != after)
+        .map(|(key, before, after)| format!("{}: {before} → {after}", key.symbol))
         .collect();
+    if before.pair != after.pair {
+        changes.push(format!("cameras: {}", after.pair.name().to_lowercase()));
+    }
     let words = if changes.is_empty() {
         "In the calculator nothing would change.".to_owned()
     } else {

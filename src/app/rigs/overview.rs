@@ -5,12 +5,12 @@ use super::rig::{MOST, Rig};
 use crate::app::command::Command;
 use crate::app::context::AppContext;
 use crate::app::theme;
-use crate::app::widgets::text;
+use crate::app::widgets::{choice, text};
 use depth_text::fields;
 use depth_text::reading;
 use egui::accesskit::{Role, Toggled};
 use egui::text::LayoutJob;
-use egui::{Button, Rect, RichText, Sense, Stroke, Ui, UiBuilder, pos2, vec2};
+use egui::{Button, Rect, Response, RichText, Sense, Stroke, Ui, UiBuilder, pos2, vec2};
 
 /// Draws them.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
@@ -40,14 +40,33 @@ fn list_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     ui.scope_builder(group, |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         let count = cx.settings.rigs.all.len();
+        // Only what was shown when it was drawn can get the focus, so it comes a frame after the key.
+        let coming = egui::Id::unique("the focus comes to a rig");
+        let comes = ui.data_mut(|data| data.remove_temp::<bool>(coming)).is_some();
+        let mut focused = None;
         for at in 0..count {
-            row_ui(ui, cx, at);
+            let Some(row) = row_ui(ui, cx, at) else { continue };
+            if comes && cx.settings.rigs.shown == at {
+                row.request_focus();
+            }
+            if row.has_focus() {
+                focused = Some((at, row.id));
+            }
+        }
+        if let Some((at, id)) = focused
+            && let steps = choice::steps(ui, id)
+            && steps != 0
+            && let Some(next) = (at + count).checked_add_signed(steps)
+        {
+            cx.commands.push(Command::ShowRig(next % count));
+            ui.data_mut(|data| data.insert_temp(coming, true));
         }
     });
 }
 
-fn row_ui(ui: &mut Ui, cx: &mut AppContext<'_>, at: usize) {
-    let Some(rig) = cx.settings.rigs.all.get(at) else { return };
+/// A rig of the list: one stop of the key Tab for all of them, among them by the arrow keys.
+fn row_ui(ui: &mut Ui, cx: &mut AppContext<'_>, at: usize) -> Option<Response> {
+    let rig = cx.settings.rigs.all.get(at)?;
     let palette = theme::palette(ui);
     let is_shown = cx.settings.rigs.shown == at;
     let facts = facts(rig);
@@ -75,7 +94,8 @@ fn row_ui(ui: &mut Ui, cx: &mut AppContext<'_>, at: usize) {
     let room = full - right.size().x - 5.0 * theme::STEP;
     let left = ui.painter().layout_job(named(room.max(theme::RIG_NAME_WIDTH)));
     let height = (left.size().y + 2.0 * theme::CELL_PADDING).max(cx.layout.control_height());
-    let (rect, response) = ui.allocate_exact_size(vec2(full, height), Sense::click());
+    let sense = if is_shown { Sense::click() } else { Sense::CLICK };
+    let (rect, response) = ui.allocate_exact_size(vec2(full, height), sense);
     if is_shown || response.hovered() {
         ui.painter().rect_filled(rect, theme::CONTROL_RADIUS, palette.highlight);
     }
@@ -93,7 +113,7 @@ fn row_ui(ui: &mut Ui, cx: &mut AppContext<'_>, at: usize) {
     if response.clicked() {
         cx.commands.push(Command::ShowRig(at));
     }
-    response.on_hover_cursor(egui::CursorIcon::PointingHand);
+    Some(response.on_hover_cursor(egui::CursorIcon::PointingHand))
 }
 
 fn line_ui(ui: &Ui, rect: Rect, is_shown: bool) {
