@@ -62,7 +62,7 @@ const SCREENS = {
   'the dialog that opens calibration files': async (page) => {
     await page.show('Rigs');
     await page.press('Calibration file…');
-    await page.says(/recognized by what is in them/);
+    await page.says(/Or paste the text of one/);
   },
   'a calibration whose unit is asked for': async (page) => {
     await page.run(

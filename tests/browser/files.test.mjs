@@ -64,7 +64,7 @@ it('a file that is dropped is shown, then used, and the distance follows', async
   await drop(page, ['whatever.bin', MIDDLEBURY]);
   await page.says(/whatever\.bin: a calib\.txt of Middlebury/);
   assert.match(await page.text(), /line 4/, 'where the baseline stands');
-  assert.equal(await page.value(FX).catch(() => ''), '', 'nothing is applied before it is asked for');
+  assert.match(await page.text(), /nothing → 700 px/, 'nothing is applied before it is asked for');
   await page.press('Use in calculator');
   await until('the focal length', async () => (await page.value(FX)) === '700');
   assert.equal(await page.value(BASELINE), '100');
@@ -95,7 +95,7 @@ it('what cannot be read says why and changes nothing, and the text of a file can
   const page = await started(test);
   await page.press('Rigs');
   await page.press('Calibration file…');
-  await page.says(/recognized by what is in them/);
+  await page.says(/Or paste the text of one/);
   await drop(page, ['page.conf', '<!DOCTYPE html><html><body>404</body></html>']);
   await page.says(/a web page, not a calibration/);
   await page.says(/Nothing was changed/);
@@ -213,6 +213,7 @@ it('a second module that does not answer is given up', async (test) => {
   await drop(page, ['calib.txt', MIDDLEBURY]);
   await page.says(/Reading calib\.txt/);
   await page.press('Cancel');
+  await until('the dialog gone', async () => !/Reading calib\.txt/.test(await page.text()));
   bench.server.state.added.set(name, await readFile(path.join(settings.dist, name), 'utf8'));
   await drop(page, ['calib.txt', MIDDLEBURY]);
   await page.press('Use in calculator');
