@@ -51,6 +51,11 @@ async function drop(page, ...files) {
   );
 }
 
+async function isDisabled(page, button) {
+  const element = await page.element(button, 'button');
+  return page.run("return arguments[0].getAttribute('aria-disabled') === 'true' || arguments[0].disabled === true", element);
+}
+
 /** The page, with 50 px typed into the disparity. */
 async function started(test) {
   const page = await bench.page(test);
@@ -81,12 +86,10 @@ it('the unit that a file does not say is asked for', async (test) => {
   const page = await started(test);
   await drop(page, ['extrinsics.yml', OPENCV]);
   await page.says(/Which is it\?/);
-  const isDisabled = async () =>
-    page.run("return arguments[0].getAttribute('aria-disabled') ?? String(arguments[0].disabled ?? false)", await page.element('Use in calculator', 'button'));
-  assert.equal(await isDisabled(), 'true');
+  assert.equal(await isDisabled(page, 'Use in calculator'), true);
   await page.press('The baseline is');
   await page.press('120 mm');
-  await until('the button', async () => (await isDisabled()) === 'false');
+  await until('the button', async () => !(await isDisabled(page, 'Use in calculator')));
   await page.press('Use in calculator');
   await until('the baseline', async () => (await page.value(BASELINE)) === '120');
 });
@@ -113,6 +116,7 @@ it('what cannot be read says why and changes nothing, and the text of a file can
     MIDDLEBURY,
   );
   await until('the text in the field', async () => /baseline=100/.test(await page.value('Or paste the text of one')));
+  await until('the button', async () => !(await isDisabled(page, 'Read the text')));
   await page.press('Read the text');
   await page.says(/pasted text: a calib\.txt of Middlebury/);
 });
