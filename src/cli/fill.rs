@@ -18,7 +18,7 @@ pub(super) fn fill(
 ) -> Result<Vec<String>, String> {
     let found = calibration.found()?;
     let [first, _] = found.pair.unwrap_or([0, 0]).map(|at| found.cameras.get(at));
-    let is_stereo = typed.is_given(fields::DISPARITY, Part::Value);
+    let is_stereo = typed.is_given(fields::DISPARITY, Part::Value) || unknown == Some(fields::DISPARITY);
     if is_stereo && found.baseline.is_some() {
         refuse_other_pair(found.is_vertical, pair)?;
     }

@@ -194,6 +194,7 @@ pub(crate) fn in_meters(meters: f64, warnings: &mut Vec<Warning>) -> Option<Base
 
 /// Fills in the offset of the principal points of the rectified pair, along its baseline; where the file has one of its own, that counts.
 pub(crate) fn read_doffs(found: &mut Found, of_file: Option<(f64, Origin)>) {
+    compare_rectified(found);
     let (of_file, file_origin) = of_file.map(|(px, origin)| (Pixels::new(px), origin)).unzip();
     let of_points = of_points(found);
     if let (Some(of_file), Some((of_points, _))) = (of_file, &of_points)
@@ -207,9 +208,48 @@ pub(crate) fn read_doffs(found: &mut Found, of_file: Option<(f64, Origin)>) {
     found.doffs_origin = file_origin.or(points_origin);
 }
 
+/// The focal lengths of a rectified pair agree to this part of them.
+const SAME_FOCAL: f64 = 0.01;
+
+/// Says where the cameras of a rectified pair cannot be of one rectification.
+fn compare_rectified(found: &mut Found) {
+    let Some([one, other]) = rectified_pair(found) else { return };
+    let ([f, g], mut said) = ([one, other].map(|camera| camera.fx.px()), Vec::new());
+    if let Some(sizes) = different_sizes(one, other) {
+        said.push(Warning::Sizes { sizes });
+    }
+    if (f - g).abs() > SAME_FOCAL * f.max(g) {
+        let say = |camera: &Camera| Statement {
+            value: format!("{} px", shown(camera.fx.px())),
+            origin: camera.origin.clone(),
+        };
+        let (one, other) = (say(one), say(other));
+        said.push(Warning::FocalLengths { one, other });
+    }
+    found.warnings.append(&mut said);
+}
+
+fn different_sizes(one: &Camera, other: &Camera) -> Option<[[u32; 2]; 2]> {
+    let (one, other) = one.size.zip(other.size)?;
+    (one != other).then_some([one, other])
+}
+
+/// The two cameras of the pair, where both are rectified.
+fn rectified_pair(found: &Found) -> Option<[&Camera; 2]> {
+    let pair = found.pair?.map(|at| found.cameras.get(at));
+    let [Some(one), Some(other)] = pair else { return None };
+    [one, other]
+        .iter()
+        .all(|camera| camera.basis == Basis::Rectified)
+        .then_some([one, other])
+}
+
 fn of_points(found: &Found) -> Option<(Pixels, Origin)> {
     let [first, second] = found.pair?;
     let (first, second) = (found.cameras.get(first)?, found.cameras.get(second)?);
+    if different_sizes(first, second).is_some() {
+        return None;
+    }
     let along = |camera: &Camera| if found.is_vertical { camera.cy.px() } else { camera.cx.px() };
     let center = if found.is_vertical { "cy" } else { "cx" };
     let names = if first.origin.how == second.origin.how {

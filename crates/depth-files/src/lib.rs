@@ -16,6 +16,7 @@ mod format;
 mod formats;
 mod found;
 mod geometry;
+mod mismatches;
 mod node;
 mod number;
 mod pair;

@@ -1,6 +1,6 @@
 //! What camera matrices and projection matrices say.
 
-use crate::checks::Pinhole;
+use crate::checks::{Pinhole, agree};
 use crate::found::Found;
 use crate::place::Origin;
 use crate::warning::Warning;
@@ -73,9 +73,10 @@ impl Projection {
 
     /// How far `right` stands to the right of this camera, and how far below, in the unit of the file.
     pub(super) fn to(self, right: Self) -> [f64; 2] {
-        let [fx, fy, ..] = right.pinhole;
+        // Each by its own focal length, which differ in files that are stale.
+        let ([fx, fy, ..], [gx, gy, ..]) = (self.pinhole, right.pinhole);
         let ([tx, ty], [ux, uy]) = (self.shift, right.shift);
-        [(tx - ux) / fx, (ty - uy) / fy]
+        [tx / fx - ux / gx, ty / fy - uy / gy]
     }
 }
 
@@ -83,10 +84,13 @@ impl Projection {
 pub(super) fn how([first, second]: [&str; 2], [left, right]: [Projection; 2]) -> String {
     let row = usize::from(is_vertical(left.to(right)));
     let shift = |one: Projection| one.shift.get(row).copied().unwrap_or_default();
+    let [[one, ..], [other, ..]] = [left.pinhole, right.pinhole];
     let focal = format!("{second}[{row}][{row}]");
+    let first_focal = format!("{first}[{row}][{row}]");
     match [shift(left), shift(right)].map(|shift| shift == 0.0) {
         [true, _] => format!("{second}[{row}][3] / {focal}"),
-        [false, true] => format!("{first}[{row}][3] / {focal}"),
+        [false, true] => format!("{first}[{row}][3] / {first_focal}"),
+        _ if !agree(one, other) => format!("{first}[{row}][3] / {first_focal} - {second}[{row}][3] / {focal}"),
         _ => format!("({first}[{row}][3] - {second}[{row}][3]) / {focal}"),
     }
 }

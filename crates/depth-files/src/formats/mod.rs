@@ -11,6 +11,7 @@ mod intrinsics;
 mod intrinsics_names;
 mod kalibr;
 mod kitti;
+mod kitti_extrinsics;
 mod matrix;
 mod middlebury;
 mod numpy;
