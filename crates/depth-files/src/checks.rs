@@ -1,6 +1,6 @@
 //! What is wrong with numbers that can be read.
 
-use crate::baseline::{Baseline, Guess};
+use crate::baseline::Baseline;
 use crate::camera::{Basis, Camera};
 use crate::format::Format;
 use crate::found::Found;
@@ -8,16 +8,12 @@ use crate::place::Origin;
 use crate::refusal::Refusal;
 use crate::sentences::shown;
 use crate::warning::{Statement, Warning};
-use depth_core::quantity::{Length, LengthUnit, Pixels};
+use depth_core::quantity::{Length, Pixels};
 
 /// A focal length lies between these parts of the width of its image: 136° to 2.9°.
 const FOCAL_LENGTHS: [f64; 2] = [0.2, 20.0];
 /// Baselines lie between these.
 const BASELINES_M: [f64; 2] = [0.001, 5.0];
-/// The distance of two lenses above which a number is hardly one of meters.
-const MOST_METERS: f64 = 1.5;
-/// The distance of two lenses above which a number is hardly one of squares of a board.
-const MOST_SQUARES: f64 = 15.0;
 /// doffs and the principal points agree to this, in pixels.
 const SAME_PX: f64 = 0.1;
 
@@ -73,6 +69,25 @@ pub(crate) fn contradict(rectified: Pinhole, raw: Pinhole) -> bool {
     let ([one, ..], [other, ..]) = (rectified, raw);
     let ratio = one / other;
     raw.iter().all(|number| number.is_finite()) && !(1.0 / FOCAL_RATIO..FOCAL_RATIO).contains(&ratio)
+}
+
+/// The principal point lies so near to the middle of the image, as a part of its side.
+const MIDDLE: std::ops::Range<f64> = 0.35..0.65;
+/// A rectification may move and zoom by this part without another size of the images.
+const SAME_SIZE: f64 = 0.25;
+/// The focal length and the principal point are scaled alike to this part.
+const SAME_RATIO: f64 = 0.1;
+
+/// How many times as large the rectified images are as the raw ones, which have this size, where they have another.
+pub(crate) fn resized(rectified: Pinhole, raw: Pinhole, size: [u32; 2]) -> Option<f64> {
+    let ([f, _, cx, cy], [raw_f, _, raw_cx, raw_cy]) = (rectified, raw);
+    let [width, height] = size.map(f64::from);
+    let is_of_size = MIDDLE.contains(&(raw_cx / width)) && MIDDLE.contains(&(raw_cy / height));
+    let ratio = cx / raw_cx;
+    let is_alike = [f / raw_f, cy / raw_cy]
+        .into_iter()
+        .all(|other| (other - ratio).abs() <= SAME_RATIO * ratio);
+    (is_of_size && is_alike && (ratio - 1.0).abs() > SAME_SIZE).then_some(ratio)
 }
 
 /// Why rectified values cannot be used, in a few words; `None` where they can.
@@ -171,16 +186,6 @@ pub(crate) fn same_length((used, origin): (f64, &Origin), (other, other_origin):
         used: say(used, origin),
         other: say(other, other_origin),
     })
-}
-
-/// A baseline of `value` in a unit that the file does not say.
-pub(crate) fn in_file_units(value: f64, square: Option<f64>) -> Baseline {
-    let guess = match square {
-        Some(size) if value < MOST_SQUARES => Guess::Squares { size },
-        _ if value > MOST_METERS => Guess::Unit(LengthUnit::Millimeter),
-        _ => Guess::Unit(LengthUnit::Meter),
-    };
-    Baseline::InFileUnits { value, guess }
 }
 
 /// A baseline of so many meters; `None` where both cameras stand at the same place.

@@ -26,6 +26,7 @@ mod refusal;
 mod remarks;
 mod sentences;
 mod text;
+mod units;
 mod warning;
 mod xml;
 mod yaml;

@@ -134,6 +134,7 @@ impl fmt::Display for Guess {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unit(unit) => write!(f, "probably {}.", unit.symbol()),
+            Self::Squares { size: 1.0 } => f.write_str("probably squares of the board, whose size the file does not say."),
             Self::Squares { size } => write!(f, "probably squares of the board, {size} each in the unit of its maker."),
         }
     }

@@ -98,3 +98,71 @@ fn rectified_cameras_of_two_focal_lengths_are_said_to_be_mixed() {
     ]);
     assert_eq!(said(&same), "");
 }
+
+#[test]
+fn a_matrix_whose_last_number_is_not_1_is_divided_by_it_or_not_used() {
+    let k = found(&["camera_matrix: [[1400,0,1280],[0,1400,720],[0,0,2]]\ndist_coeffs: [0,0,0,0]\n"]);
+    assert_eq!(k.cameras.first().unwrap().fx.px(), 700.0);
+    assert!(said(&k).contains("camera_matrix in line 1 is 2, not 1"), "{}", said(&k));
+    let p = "image_width: 1280\nimage_height: 720\ndistortion_model: plumb_bob\nK: [700, 0, 640, 0, 700, 360, 0, 0, 1]\n\
+             P: [690, 0, 640, -69, 0, 690, 360, 0, 0, 0, 0.8377, 0]\n";
+    let p = found(&[p]);
+    assert_eq!(
+        (p.cameras.first().unwrap().fx.px(), p.baseline, p.is_rectified()),
+        (700.0, None, false)
+    );
+    assert!(said(&p).contains("0.8377"), "{}", said(&p));
+}
+
+#[test]
+fn rectified_images_of_another_size_are_not_said_to_be_of_the_one_in_the_file() {
+    let file = |p: &str| {
+        format!(
+            "image_width: 1280\nimage_height: 720\ndistortion_model: plumb_bob\nK: [700, 0, 640, 0, 700, 360, 0, 0, 1]\nP: [{p}, 0, 1, 0]\n"
+        )
+    };
+    let half = found(&[&file("350, 0, 322, -35, 0, 350, 179, 0, 0")]);
+    assert_eq!((half.cameras.first().unwrap().size, value(&half)), (None, 0.1));
+    assert!(said(&half).contains("0.5 times as large as 1280 × 720"), "{}", said(&half));
+    // Zoomed, and of the same size.
+    let zoomed = found(&[&file("490, 0, 640, -49, 0, 490, 360, 0, 0")]);
+    assert_eq!(
+        (zoomed.cameras.first().unwrap().size, said(&zoomed).as_str()),
+        (Some([1280, 720]), "")
+    );
+    let opencv = found(&[
+        "image_size: [1280, 720]\nM1: [[700,0,640],[0,700,360],[0,0,1]]\nP1: {data: [350, 0, 320, 0, 0, 350, 180, 0, 0, 0, 1, 0]}\n\
+         P2: {data: [350, 0, 320, -21000, 0, 350, 180, 0, 0, 0, 1, 0]}\n",
+    ]);
+    assert_eq!(opencv.cameras.last().unwrap().size, None);
+    assert!(said(&opencv).contains("0.5 times"), "{}", said(&opencv));
+}
+
+#[test]
+fn the_unit_of_a_baseline_is_guessed_by_what_is_a_distance_of_two_lenses() {
+    const K: &str = "K1: [[700,0,640],[0,700,360],[0,0,1]]\nK2: [[700,0,640],[0,700,360],[0,0,1]]\n";
+    for (rest, words) in [
+        ("T: [-0.06, 0, 0]\nsquare_size: 0.025\n", "probably m."),
+        ("T: [-60, 0, 0]\nsquare_size: 25\n", "probably mm."),
+        ("T: [-6, 0, 0]\nsquare_size: 2.5\n", "probably cm."),
+        ("T: [-2.4, 0, 0]\nsquare_size: 25\n", "probably squares"),
+        ("T: [-2.4, 0, 0]\nsquare_size: 1\n", "probably squares"),
+        ("T: [-2.4, 0, 0]\n", "probably squares"),
+        ("T: [-120, 0, 0]\n", "probably mm."),
+        ("T: [-0.12, 0, 0]\n", "probably m."),
+    ] {
+        let pair = found(&[&format!("{K}{rest}")]);
+        assert!(said(&pair).contains(words), "{rest}: {}", said(&pair));
+    }
+    for (rest, meters) in [
+        ("T: [-12, 0, 0]\nunits: cm\n", 0.12),
+        ("T: [-120, 0, 0]\nunit: mm\n", 0.12),
+        ("T: [-0.12, 0, 0]\nlength_unit: meters\n", 0.12),
+    ] {
+        let pair = found(&[&format!("{K}{rest}")]);
+        assert!(
+            matches!(pair.baseline, Some(Baseline::Known(_))) && value(&pair) == meters,
+            "{rest}: {pair:?}"
+        );
+    }
+}

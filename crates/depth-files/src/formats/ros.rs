@@ -1,9 +1,9 @@
 //! ROS: `sensor_msgs/CameraInfo` as a calibration file, as `rostopic echo` and `ros2 topic echo` print it, and as the calibrator does.
 
-use super::matrix::{Projection, how, place_pair, read_matrix, read_projection, size};
+use super::matrix::{Projection, how, place_pair, read_matrix, read_projection, scaled, size};
 use super::ros_window::Window;
 use crate::camera::{Basis, Camera};
-use crate::checks::{Pinhole, camera, coefficients, contradict, in_meters, read_doffs, unusable};
+use crate::checks::{Pinhole, camera, coefficients, contradict, in_meters, read_doffs, resized, unusable};
 use crate::format::Format;
 use crate::found::Found;
 use crate::node::Node;
@@ -189,8 +189,14 @@ fn of_matrices(
     if let Some((projection, origin)) = projection {
         let of_another = matrix.as_ref().is_some_and(|(matrix, _)| contradict(projection.pinhole, *matrix));
         let why = of_another.then(|| "its focal length is many times that of the camera, or a fraction of it".to_owned());
-        match unusable(projection.pinhole, size).or(why) {
+        match scaled(projection).or_else(|| unusable(projection.pinhole, size)).or(why) {
             None => {
+                let resized = matrix.as_ref().and_then(|(raw, _)| resized(projection.pinhole, *raw, size?));
+                if let (Some(ratio), Some(size)) = (resized, size) {
+                    let camera = name.to_owned();
+                    warnings.push(Warning::RectifiedSize { camera, size, ratio });
+                }
+                let size = size.filter(|_| resized.is_none());
                 return Ok(Info {
                     camera: camera(FORMAT, name, projection.pinhole, (size, Basis::Rectified, origin))?,
                     projection: Some(projection),
