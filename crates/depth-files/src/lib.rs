@@ -53,7 +53,7 @@ pub fn read(files: &[&[u8]]) -> Result<Found, Refusal> {
             twice.push(Warning::SameFile { files: [first, file] });
             continue;
         }
-        let read = recognize::read(bytes, file);
+        let read = recognize::read(bytes, file, &mut twice);
         all.push(read.map_err(|refusal| if files.len() > 1 { refusal.in_file(file) } else { refusal })?);
     }
     let mut found = formats::read(&all)?;

@@ -166,3 +166,96 @@ fn the_unit_of_a_baseline_is_guessed_by_what_is_a_distance_of_two_lenses() {
         );
     }
 }
+
+#[test]
+fn of_a_key_that_stands_twice_the_last_value_is_taken_and_both_lines_are_said() {
+    let yaml = found(&["K: [[700,0,640],[0,700,360],[0,0,1]]\nD: [0,0,0,0]\nK:\n  - [800,0,640]\n  - [0,800,360]\n  - [0,0,1]\n"]);
+    assert_eq!(yaml.cameras.first().unwrap().fx.px(), 800.0);
+    assert!(said(&yaml).contains("“K” stands twice, in line 1 and in line 3"), "{}", said(&yaml));
+    let json = found(&["{\"fx\": 700, \"fy\": 700, \"cx\": 320, \"cy\": 240,\n\"fx\": 800}"]);
+    assert_eq!(json.cameras.first().unwrap().fx.px(), 800.0);
+    assert!(said(&json).contains("“fx” stands twice"), "{}", said(&json));
+    let middlebury =
+        found(&["cam0=[500 0 320; 0 500 180; 0 0 1]\ncam1=[500 0 320; 0 500 180; 0 0 1]\ndoffs=0\nbaseline=100\nbaseline=200\n"]);
+    assert_eq!(value(&middlebury), 0.2);
+    assert!(
+        said(&middlebury).contains("“baseline” stands twice, in line 4 and in line 5"),
+        "{}",
+        said(&middlebury)
+    );
+}
+
+#[test]
+fn the_line_of_a_matrix_is_that_of_its_key() {
+    let camera = found(&["D: [0,0,0,0]\nK:\n  - [700,0,640]\n  - [0,700,360]\n  - [0,0,1]\n"]);
+    assert_eq!(camera.cameras.first().unwrap().origin.line, 2);
+}
+
+#[test]
+fn a_fisheye_model_under_the_names_of_opencv_is_said() {
+    const K: &str = "K1: [[700,0,640],[0,700,360],[0,0,1]]\nK2: [[700,0,640],[0,700,360],[0,0,1]]\nT: [-60, 0, 0]\n";
+    for line in ["fisheye_model: 1", "model: fisheye", "fisheye: true"] {
+        let pair = found(&[&format!("{K}{line}\n")]);
+        assert!(said(&pair).contains("fisheye lens"), "{line}: {}", said(&pair));
+    }
+    for line in ["fisheye_model: 0", "model: pinhole", "fisheye: false"] {
+        let pair = found(&[&format!("{K}{line}\n")]);
+        assert!(!said(&pair).contains("fisheye lens"), "{line}: {}", said(&pair));
+    }
+}
+
+#[test]
+fn of_two_files_of_single_cameras_the_first_is_said_to_be_taken_as_the_left_one() {
+    let file = |f: u32| format!("camera_matrix: [[{f},0,640],[0,{f},360],[0,0,1]]\n");
+    let pair = found(&[&file(700), &file(705)]);
+    assert!(said(&pair).contains("the first file is taken as the left one"), "{}", said(&pair));
+    assert!(said(&pair).contains("give the file of the extrinsics"), "{}", said(&pair));
+}
+
+#[test]
+fn a_camera_in_front_of_the_other_is_no_pair_and_one_above_it_is_not_at_its_left() {
+    let chain = |t: &str| {
+        format!(
+            "cam0: {{intrinsics: [700, 700, 640, 360]}}\ncam1: {{intrinsics: [700, 700, 640, 360], T_cn_cnm1: [1,0,0,{}, 0,1,0,{}, 0,0,1,{}, 0,0,0,1]}}\n",
+            t.split(' ').next().unwrap(),
+            t.split(' ').nth(1).unwrap(),
+            t.split(' ').nth(2).unwrap()
+        )
+    };
+    let ahead = said(&found(&[&chain("0 0 -0.1")]));
+    assert!(ahead.contains("in front of the other") && !ahead.contains("zero"), "{ahead}");
+    let above = said(&found(&[&chain("0 0.1 0")]));
+    assert!(
+        above.contains("Upper and lower are swapped") && !above.contains("Left and right"),
+        "{above}"
+    );
+}
+
+#[test]
+fn the_same_message_of_ros_again_is_not_another_camera() {
+    let right = info("right", [640, 360], [500.0, 320.0, -60.0]);
+    let twice = found(&[&format!("{right}---\n{right}---\n")]);
+    assert_eq!((twice.cameras.len(), value(&twice)), (1, 0.12));
+    assert!(!said(&twice).contains("zero"), "{}", said(&twice));
+}
+
+#[test]
+fn a_camera_of_ros_that_is_named_neither_left_nor_right_is_a_single_one() {
+    let webcam = said(&found(&[&info("webcam", [640, 360], [500.0, 320.0, 0.0])]));
+    assert!(!webcam.contains("right camera") && webcam.contains("no baseline"), "{webcam}");
+    let left = said(&found(&[&info("stereo/left", [640, 360], [500.0, 320.0, 0.0])]));
+    assert!(left.contains("right camera"), "{left}");
+}
+
+#[test]
+fn a_text_about_something_else_is_no_calibration_rather_than_damaged() {
+    for text in [
+        "Shopping: bread\n- milk: two: three\n\tand more: [\n",
+        "To whom it may concern: hello\n  - a: b\n c: {\n",
+    ] {
+        let refusal = answer(&[text]).unwrap_err();
+        assert!(refusal.to_string().starts_with("No calibration is recognized"), "{refusal}");
+    }
+    let damaged = answer(&["camera_matrix: !!opencv-matrix\n   rows: 3\n   data: [700, 0,\n"]).unwrap_err();
+    assert!(damaged.to_string().contains("truncated"), "{damaged}");
+}

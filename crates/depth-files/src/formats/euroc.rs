@@ -36,7 +36,8 @@ pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
     pair_up(&mut found, &stations)?;
     for pair in &mut found.pairs {
         // The files come in any order.
-        pair.warnings.retain(|warning| *warning != Warning::Swapped);
+        pair.warnings
+            .retain(|warning| !matches!(warning, Warning::Swapped | Warning::SwappedRows));
     }
     found.take_first_pair();
     match (found.cameras.len(), found.pair) {

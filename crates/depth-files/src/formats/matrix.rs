@@ -139,7 +139,11 @@ pub(super) fn place_pair(found: &mut Found, [first, second]: [usize; 2], [right,
         found.warnings.push(Warning::Vertical);
     }
     if along < 0.0 {
-        found.warnings.push(Warning::Swapped);
+        found.warnings.push(if found.is_vertical {
+            Warning::SwappedRows
+        } else {
+            Warning::Swapped
+        });
     }
     along.abs()
 }

@@ -4,7 +4,7 @@
 
 use super::matrix::{Projection, how, place_pair, read_matrix, read_projection, scaled, size};
 use super::opencv_baseline;
-use super::opencv_names::{Matrices, Part, SIZES, TRANSLATIONS, WIDTHS, find, parts};
+use super::opencv_names::{Matrices, Part, SIZES, TRANSLATIONS, WIDTHS, find, fisheye, parts};
 use crate::camera::{Basis, Camera};
 use crate::checks::{camera, contradict, read_doffs, resized, unusable};
 use crate::format::Format;
@@ -30,9 +30,22 @@ pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
         found.pair = Some([0, 1]);
     }
     opencv_baseline::compare(&mut found, &parts)?;
+    if let Some(model) = fisheye(&parts) {
+        let cameras = found.cameras.iter().map(|camera| camera.name.clone());
+        let warnings = cameras.map(|camera| Warning::Fisheye {
+            camera,
+            model: model.clone(),
+        });
+        found.warnings.extend(warnings);
+    }
     if found.baseline.is_none() && found.cameras.len() == 1 {
         found.warnings.push(Warning::NoBaseline { format: FORMAT });
-    } else if found.baseline.is_none() && found.warnings.iter().all(|one| matches!(one, Warning::Raw { .. })) {
+    } else if found.baseline.is_none()
+        && found
+            .warnings
+            .iter()
+            .all(|one| matches!(one, Warning::Raw { .. } | Warning::FileOrder | Warning::Fisheye { .. }))
+    {
         found.warnings.push(Warning::NoExtrinsics);
     }
     Ok(found)
@@ -164,6 +177,9 @@ fn read_singles(found: &mut Found, parts: &Parts<'_>, size: Option<[u32; 2]>) ->
     let files = parts.chunk_by(|one, other| one.node.place.file == other.node.place.file);
     let with_camera = files.filter_map(|parts| Some((parts, Matrices::cameras(parts).first?)));
     let singles: Vec<(&Parts<'_>, &Part<'_>)> = with_camera.collect();
+    if singles.len() == 2 {
+        found.warnings.push(Warning::FileOrder);
+    }
     for (at, (parts, matrix)) in singles.iter().enumerate() {
         let name = match (singles.len(), at) {
             (1, _) => "camera".to_owned(),

@@ -83,6 +83,8 @@ pub(super) const QS: [&str; 6] = [
 pub(super) const SIZES: [&str; 5] = ["imagesize", "calibimagesize", "imgsize", "capsize", "size"];
 pub(super) const WIDTHS: [[&str; 2]; 3] = [["imagewidth", "imageheight"], ["framewidth", "frameheight"], ["width", "height"]];
 const SQUARES: [&str; 3] = ["squaresize", "squaresizemm", "squaresizem"];
+const FISHEYE_FLAGS: [&str; 3] = ["fisheyemodel", "fisheye", "isfisheye"];
+const MODELS: [&str; 5] = ["model", "cameramodel", "lensmodel", "modeltype", "cameratype"];
 const UNITS: [&str; 6] = ["unit", "units", "lengthunit", "lengthunits", "baselineunit", "baselineunits"];
 /// How the first and the second camera are told apart.
 const FIRST: [&str; 3] = ["1", "left", "l"];
@@ -183,4 +185,16 @@ pub(super) fn unit(parts: &[Part<'_>]) -> Option<LengthUnit> {
         "in" | "inch" | "inche" => Some(LengthUnit::Inch),
         _ => None,
     }
+}
+
+/// What a file calls the model of its lenses, where that is one of a fisheye lens.
+pub(super) fn fisheye(parts: &[Part<'_>]) -> Option<String> {
+    let text = |part: &Part<'_>| part.node.text().unwrap_or_default().trim().to_ascii_lowercase();
+    let flag = find(parts, &FISHEYE_FLAGS).filter(|part| ["1", "true", "yes", "on"].contains(&text(part).as_str()));
+    let model = || find(parts, &MODELS).map(text).filter(|text| is_fisheye(text));
+    flag.map(|_| "fisheye".to_owned()).or_else(model)
+}
+
+fn is_fisheye(model: &str) -> bool {
+    ["fisheye", "equidistant", "kannala"].iter().any(|name| model.contains(name))
 }

@@ -25,12 +25,32 @@ struct Info {
     projection: Option<Projection>,
 }
 
+impl Info {
+    /// Whether `other` is the same message again in the same file.
+    fn is_repeated_by(&self, other: &Self) -> bool {
+        let (one, two) = (&self.camera, &other.camera);
+        let origin = &one.origin;
+        let is_same = Camera {
+            origin: origin.clone(),
+            ..two.clone()
+        } == *one;
+        let shift = |info: &Self| info.projection.map(|projection| projection.shift);
+        origin.file == two.origin.file && is_same && shift(self) == shift(other)
+    }
+}
+
 pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
     let mut warnings = Vec::new();
-    let infos = documents
-        .iter()
-        .map(|document| info(document, &mut warnings))
-        .collect::<Result<Vec<_>, _>>()?;
+    let mut infos: Vec<Info> = Vec::new();
+    for document in documents {
+        let mut said = Vec::new();
+        let info = info(document, &mut said)?;
+        // A topic says the same again with every image.
+        if !infos.iter().any(|before| before.is_repeated_by(&info)) {
+            infos.push(info);
+            warnings.append(&mut said);
+        }
+    }
     found(&infos, warnings)
 }
 
@@ -85,7 +105,8 @@ fn measure(two: &mut Found, [one, other]: [Projection; 2]) {
     let length = place_pair(two, [0, 1], one.to(other));
     // The right camera is the one whose P has the baseline, in whatever order the files come.
     if other.shift == [0.0; 2] {
-        two.warnings.retain(|warning| *warning != Warning::Swapped);
+        two.warnings
+            .retain(|warning| !matches!(warning, Warning::Swapped | Warning::SwappedRows));
     }
     if length > 0.0 {
         let baseline = in_meters(length, &mut two.warnings);
@@ -116,7 +137,10 @@ fn names<'a>(first: &'a Camera, second: &'a Camera, [one, other]: [Projection; 2
 /// The right camera of a pair has the baseline in its P.
 fn read_one(found: &mut Found, one: &Info) {
     let shift = one.projection.map_or([0.0; 2], |projection| projection.shift);
-    if shift == [0.0; 2] {
+    let name = one.camera.name.to_ascii_lowercase();
+    if shift == [0.0; 2] && !name.contains("left") && !name.contains("right") {
+        found.warnings.push(Warning::NoBaseline { format: FORMAT });
+    } else if shift == [0.0; 2] {
         found.warnings.push(Warning::OneOfPair {
             other: "of the right camera",
         });
