@@ -259,3 +259,35 @@ fn a_text_about_something_else_is_no_calibration_rather_than_damaged() {
     let damaged = answer(&["camera_matrix: !!opencv-matrix\n   rows: 3\n   data: [700, 0,\n"]).unwrap_err();
     assert!(damaged.to_string().contains("truncated"), "{damaged}");
 }
+
+#[test]
+fn two_files_that_the_calibrator_of_ros_printed_are_a_pair() {
+    let ost = |name: &str, tx: f64| {
+        format!(
+            "# oST version 5.0 parameters\n\n[image]\n\nwidth\n640\n\nheight\n360\n\n[{name}]\n\ncamera matrix\n500 0 320\n0 500 180\n0 0 1\n\n\
+             distortion\n0 0 0 0 0\n\nrectification\n1 0 0\n0 1 0\n0 0 1\n\nprojection\n500 0 320 {tx}\n0 500 180 0\n0 0 1 0\n"
+        )
+    };
+    let (left, right) = (ost("left", 0.0), ost("right", -60.0));
+    let pair = found(&[&left, &right]);
+    assert_eq!((value(&pair), pair.doffs.unwrap().px(), pair.pair), (0.12, 0.0, Some([0, 1])));
+    assert_eq!(pair.cameras.iter().map(|camera| camera.origin.file).collect::<Vec<_>>(), [0, 1]);
+    let wrong = answer(&[&left, &right.replace("500 0 320 -60", "x 0 320 -60")]).unwrap_err();
+    assert!(wrong.to_string().contains("of file 2"), "{wrong}");
+}
+
+#[test]
+fn cameras_of_euroc_are_named_by_their_comments_and_not_by_the_order_of_the_files() {
+    let file = |name: &str, x: f64| {
+        format!(
+            "sensor_type: camera\ncomment: Rig {name} (left or right)\nT_BS: {{rows: 4, cols: 4, data: [1,0,0,{x}, 0,1,0,0, 0,0,1,0, 0,0,0,1]}}\n\
+             intrinsics: [700, 700, 640, 360]\nresolution: [1280, 720]\n"
+        )
+    };
+    let (left, right) = (file("cam0", 0.0), file("cam1", 0.1));
+    for files in [[&left, &right], [&right, &left]] {
+        let pair = found(&files.map(String::as_str));
+        let names: Vec<&str> = pair.cameras.iter().map(|camera| camera.name.as_str()).collect();
+        assert_eq!((names, pair.pair, value(&pair)), (vec!["cam0", "cam1"], Some([0, 1]), 0.1));
+    }
+}
