@@ -3,7 +3,7 @@
 use super::calibration::Calibration;
 use super::options::Typed;
 use crate::core::setup::{Object, Pair};
-use depth_files::{Baseline, Warning};
+use depth_files::{Baseline, Format, Found, Warning};
 use depth_text::field::Key;
 use depth_text::fields;
 use depth_text::note::Part;
@@ -49,18 +49,14 @@ pub(super) fn fill(
     let mut said: Vec<String> = found
         .warnings
         .iter()
-        .filter(|warning| !matches!(warning, Warning::UnitUnknown { .. } | Warning::Vertical))
-        .filter(|warning| {
-            is_stereo
-                || !matches!(
-                    warning,
-                    Warning::NoBaseline { .. } | Warning::NoExtrinsics | Warning::OneOfPair { .. }
-                )
-        })
+        .filter(|warning| is_said(warning, is_stereo))
         .map(|warning| calibration.sentence(|names| warning.sentence(names)))
         .collect();
     if is_stereo && found.baseline.is_some() && found.doffs.is_none() && !has_doffs {
-        said.push("doffs is not in it and is counted as 0: give the file of the other camera as well, or --doffs.".to_owned());
+        said.push(without_doffs(&found).to_owned());
+    }
+    if is_stereo {
+        said.extend(calibration.unused_unit(&found));
     }
     if let Some(first) = first.filter(|_| found.cameras.len() > 2 || found.cameras.len() == 2 && found.pair.is_none()) {
         said.push(format!(
@@ -69,6 +65,26 @@ pub(super) fn fill(
         ));
     }
     Ok(said)
+}
+
+/// Whether a warning is one of what is calculated.
+const fn is_said(warning: &Warning, is_stereo: bool) -> bool {
+    match warning {
+        Warning::UnitUnknown { .. } | Warning::Vertical => false,
+        Warning::NoBaseline { .. } | Warning::NoExtrinsics | Warning::OneOfPair { .. } => is_stereo,
+        _ => true,
+    }
+}
+
+/// What is said where doffs is not in the files.
+fn without_doffs(found: &Found) -> &'static str {
+    if found.format == Format::Ros && found.cameras.len() == 1 {
+        "doffs is not in it and is counted as 0: give the file of the other camera as well, or --doffs."
+    } else if found.is_rectified() {
+        "doffs is not in it and is counted as 0: give --doffs if you know it."
+    } else {
+        "The file has no doffs, as it is of raw images: it is counted as 0. Give --doffs of the rectified images."
+    }
 }
 
 /// Refuses a disparity that is counted along the other side of the image than the cameras stand.

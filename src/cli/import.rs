@@ -83,6 +83,7 @@ impl Import {
             .warnings
             .iter()
             .map(|one| calibration.sentence(|names| one.sentence(names)))
+            .chain(calibration.unused_unit(&found))
             .collect();
         if self.options.json {
             let text = serde_json::to_string_pretty(&self.answer(found, warnings)).map_err(|error| error.to_string())?;

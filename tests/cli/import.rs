@@ -161,3 +161,30 @@ fn another_camera_or_pair_is_chosen_by_name() {
     let said = refused(&format!("calculate --from {kitti} --camera left --disparity 38"));
     assert!(said.contains("camera 0"), "{said}");
 }
+
+#[test]
+fn a_disparity_that_is_asked_for_takes_the_baseline_from_the_file() {
+    let file = format!("{FILES}/middlebury_spaces_and_pasted_matrix.txt");
+    // 3980 px · 193 mm / 2 m - 124.5 px
+    let (out, _) = text(&format!("calculate --from {file} --distance 2m --solve-for disparity"));
+    assert!(out.join(" ").contains("259.6 px"), "{out:?}");
+}
+
+#[test]
+fn a_unit_for_a_file_whose_unit_is_known_is_said_not_to_be_used() {
+    let file = format!("{FILES}/middlebury_spaces_and_pasted_matrix.txt");
+    for arguments in [
+        format!("calculate --from {file} --file-unit 1mm --disparity 50"),
+        format!("import {file} --file-unit 1mm"),
+    ] {
+        let (_, err) = text(&arguments);
+        assert!(err.join(" ").contains("--file-unit is not used"), "{err:?}");
+    }
+}
+
+#[test]
+fn where_no_other_file_has_doffs_none_is_asked_for() {
+    let (_, err) = text(&format!("calculate --from {FILES}/kalibr_three_cameras.yaml --disparity 50"));
+    let err = err.join(" ");
+    assert!(err.contains("raw images") && !err.contains("other camera as well"), "{err}");
+}
