@@ -3,7 +3,7 @@
 use super::calibration::Calibration;
 use super::options::Typed;
 use crate::core::setup::{Object, Pair};
-use depth_files::{Baseline, Format, Found, Warning};
+use depth_files::{Baseline, Camera, Format, Found, Warning};
 use depth_text::field::Key;
 use depth_text::fields;
 use depth_text::note::Part;
@@ -22,11 +22,19 @@ pub(super) fn fill(
     if is_stereo && found.baseline.is_some() {
         refuse_other_pair(found.is_vertical, pair)?;
     }
+    let has_point = [fields::PIXEL_COLUMN, fields::PIXEL_ROW]
+        .into_iter()
+        .any(|key| typed.is_given(key, Part::Value));
+    fill_sigma(typed, first, unknown);
     let mut fill = |key: Key, value: Option<String>| {
         if let Some(value) = value.filter(|_| !typed.is_given(key, Part::Value) && unknown != Some(key)) {
             typed.typed.push((key, Part::Value, value));
         }
     };
+    if has_point {
+        fill(fields::CX, first.map(|camera| format!("{} px", camera.cx.px())));
+        fill(fields::CY, first.map(|camera| format!("{} px", camera.cy.px())));
+    }
     fill(fields::FOCAL_LENGTH, first.map(|camera| format!("{} px", camera.fx.px())));
     if object == Object::Height || pair == Pair::Vertical {
         fill(fields::FY, first.map(|camera| format!("{} px", camera.fy.px())));
@@ -65,6 +73,18 @@ pub(super) fn fill(
         ));
     }
     Ok(said)
+}
+
+/// Fills in how uncertain the focal length is, where it is that of the file and the file says it.
+fn fill_sigma(typed: &mut Typed, camera: Option<&Camera>, unknown: Option<Key>) {
+    let key = fields::FOCAL_LENGTH;
+    let is_typed = [Part::Value, Part::Sigma].into_iter().any(|part| typed.is_given(key, part));
+    if let Some([fx, ..]) = camera.and_then(|camera| camera.sigma)
+        && !is_typed
+        && unknown != Some(key)
+    {
+        typed.typed.push((key, Part::Sigma, format!("{} px", fx.px())));
+    }
 }
 
 /// Whether a warning is one of what is calculated.

@@ -1,6 +1,6 @@
 //! Calibration files: `import`, and `calculate --from`. What each kind of file means is tested in `crates/depth-files`.
 
-use super::{run, text};
+use super::{json, run, text};
 use serde_json::Value;
 
 const FILES: &str = "crates/depth-files/tests/data/quirks";
@@ -187,4 +187,33 @@ fn where_no_other_file_has_doffs_none_is_asked_for() {
     let (_, err) = text(&format!("calculate --from {FILES}/kalibr_three_cameras.yaml --disparity 50"));
     let err = err.join(" ");
     assert!(err.contains("raw images") && !err.contains("other camera as well"), "{err}");
+}
+
+#[test]
+fn the_principal_point_of_a_pixel_is_that_of_the_file() {
+    let file = format!("{FILES}/middlebury_2021_crlf_no_last_newline.txt");
+    let (out, err) = text(&format!("calculate --from {file} --disparity 60 --u 100 --v 100"));
+    assert!(!err.join(" ").contains("--cx"), "{err:?}");
+    let (typed, _) = text(&format!("calculate --from {file} --disparity 60 --u 100 --v 100 --cx 100 --cy 100"));
+    assert_ne!(out, typed);
+}
+
+#[test]
+fn how_uncertain_a_focal_length_is_comes_with_it_where_the_file_says_so() {
+    let file = "crates/depth-files/tests/data/bouguet/Calib_Results.m";
+    let found = answer(file);
+    let sigma = found["cameras"][0]["sigma_px"][0].as_f64().unwrap();
+    assert!(sigma > 0.0);
+    let of_file = json(&format!("--from {file} --w-img 100 --w-real 1m"));
+    let fx = &found["cameras"][0]["fx"];
+    let typed = json(&format!("--fx {fx} --sigma-fx {sigma} --w-img 100 --w-real 1m"));
+    near(&of_file["monocular"]["sigma_m"], typed["monocular"]["sigma_m"].as_f64().unwrap());
+    let file = format!("{FILES}/middlebury_2021_crlf_no_last_newline.txt");
+    assert!(answer(&file)["cameras"][0]["sigma_px"].is_null());
+}
+
+#[test]
+fn an_archive_has_no_lines() {
+    let found = answer("crates/depth-files/tests/data/numpy/mono.npz");
+    assert!(found["cameras"][0]["line"].is_null() && found["cameras"][0]["origin"]["line"].is_null());
 }
