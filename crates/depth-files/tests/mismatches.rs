@@ -291,3 +291,10 @@ fn cameras_of_euroc_are_named_by_their_comments_and_not_by_the_order_of_the_file
         assert_eq!((names, pair.pair, value(&pair)), (vec!["cam0", "cam1"], Some([0, 1]), 0.1));
     }
 }
+
+#[test]
+fn a_model_that_is_no_pinhole_is_refused_with_the_line_that_says_it() {
+    let chain = "cam0:\n  intrinsics: [0.8, 700, 700, 640, 360]\n  camera_model: omni\n";
+    let refusal = answer(&[chain]).unwrap_err();
+    assert!(refusal.to_string().contains("“omni” in line 3"), "{refusal}");
+}

@@ -29,7 +29,7 @@ pub(super) fn read_camera(
         return Err(Refusal::NotPinhole {
             format,
             model,
-            place: node.place,
+            place: node.get("camera_model").map_or(node.place, |model| model.place),
         });
     }
     let distortion = text("distortion_model");
