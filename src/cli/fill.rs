@@ -54,6 +54,12 @@ pub(super) fn fill(
             _ => {}
         }
     }
+    Ok(said(calibration, &found, is_stereo, has_doffs))
+}
+
+/// What is to be said of the files where a disparity is in question or is not, and doffs was typed or filled in or was not.
+fn said(calibration: &Calibration, found: &Found, is_stereo: bool, has_doffs: bool) -> Vec<String> {
+    let [first, _] = found.pair.unwrap_or([0, 0]).map(|at| found.cameras.get(at));
     let mut said: Vec<String> = found
         .warnings
         .iter()
@@ -61,10 +67,10 @@ pub(super) fn fill(
         .map(|warning| calibration.sentence(|names| warning.sentence(names)))
         .collect();
     if is_stereo && found.baseline.is_some() && found.doffs.is_none() && !has_doffs {
-        said.push(without_doffs(&found).to_owned());
+        said.push(without_doffs(found).to_owned());
     }
     if is_stereo {
-        said.extend(calibration.unused_unit(&found));
+        said.extend(calibration.unused_unit(found));
     }
     if let Some(first) = first.filter(|_| found.cameras.len() > 2 || found.cameras.len() == 2 && found.pair.is_none()) {
         said.push(format!(
@@ -72,7 +78,7 @@ pub(super) fn fill(
             first.name
         ));
     }
-    Ok(said)
+    said
 }
 
 /// Fills in how uncertain the focal length is, where it is that of the file and the file says it.
