@@ -4,7 +4,7 @@ use super::ascii::in_sentence;
 use super::file;
 use crate::core::quantity::{Length, LengthUnit};
 use clap::Args;
-use depth_files::Found;
+use depth_files::{Baseline, Found};
 use std::path::PathBuf;
 
 /// What is asked of a file by every command that answers with what is in it.
@@ -60,6 +60,17 @@ impl Calibration {
         Ok(match self.file_unit {
             Some(unit) => found.in_unit(unit),
             None => found,
+        })
+    }
+
+    /// That `--file-unit` is not used, where the file or its format says the unit.
+    pub(super) fn unused_unit(&self, found: &Found) -> Option<String> {
+        let is_known = matches!(found.baseline, Some(Baseline::Known(_)));
+        (self.file_unit.is_some() && is_known).then(|| {
+            format!(
+                "--file-unit is not used: {} has its baseline in a unit that is known.",
+                found.format.title()
+            )
         })
     }
 

@@ -2,7 +2,7 @@
 
 use super::calibration::{Calibration, FileOptions};
 use super::reply::Reply;
-use crate::core::quantity::Length;
+use crate::core::quantity::{Length, Pixels};
 use clap::{Args, ValueHint};
 use depth_files::{Baseline, Basis, Camera, Found, Origin};
 use depth_text::number::{Notation, TYPED_DIGITS};
@@ -49,19 +49,23 @@ struct AnswerCamera {
     fy: f64,
     cx: f64,
     cy: f64,
-    line: usize,
+    /// None in a file that has no lines.
+    line: Option<usize>,
     origin: AnswerOrigin,
     /// As the file lists them.
     distortion: Vec<f64>,
     /// Of the distortion, or of the camera.
     model: Option<String>,
+    /// 1 σ of fx, fy, cx and cy.
+    sigma_px: Option<[f64; 4]>,
 }
 
 /// Where a number comes from.
 #[derive(Serialize)]
 struct AnswerOrigin {
     file: String,
-    line: usize,
+    /// None in a file that has no lines.
+    line: Option<usize>,
     how: String,
 }
 
@@ -83,6 +87,7 @@ impl Import {
             .warnings
             .iter()
             .map(|one| calibration.sentence(|names| one.sentence(names)))
+            .chain(calibration.unused_unit(&found))
             .collect();
         if self.options.json {
             let text = serde_json::to_string_pretty(&self.answer(found, warnings)).map_err(|error| error.to_string())?;
@@ -106,7 +111,7 @@ impl Import {
                 .get(origin.file)
                 .map(|file| file.display().to_string())
                 .unwrap_or_default(),
-            line: origin.line,
+            line: line(origin),
             how: origin.how.clone(),
         }
     }
@@ -122,10 +127,11 @@ impl Import {
                 fy: camera.fy.px(),
                 cx: camera.cx.px(),
                 cy: camera.cy.px(),
-                line: camera.origin.line,
+                line: line(&camera.origin),
                 origin: self.origin(&camera.origin),
                 distortion: camera.distortion.clone(),
                 model: camera.model.clone(),
+                sigma_px: camera.sigma.map(|sigma| sigma.map(Pixels::px)),
             }
         };
         Answer {
@@ -210,6 +216,14 @@ impl Import {
             let _ = writeln!(text, "ignored: {line}");
         }
         text
+    }
+}
+
+/// The line of a number, in a file that has lines.
+const fn line(origin: &Origin) -> Option<usize> {
+    match origin.line {
+        0 => None,
+        line => Some(line),
     }
 }
 

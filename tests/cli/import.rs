@@ -1,6 +1,6 @@
 //! Calibration files: `import`, and `calculate --from`. What each kind of file means is tested in `crates/depth-files`.
 
-use super::{run, text};
+use super::{json, run, text};
 use serde_json::Value;
 
 const FILES: &str = "crates/depth-files/tests/data/quirks";
@@ -160,4 +160,60 @@ fn another_camera_or_pair_is_chosen_by_name() {
     assert!(out.join(" ").contains("10.00 m"), "{out:?}");
     let said = refused(&format!("calculate --from {kitti} --camera left --disparity 38"));
     assert!(said.contains("camera 0"), "{said}");
+}
+
+#[test]
+fn a_disparity_that_is_asked_for_takes_the_baseline_from_the_file() {
+    let file = format!("{FILES}/middlebury_spaces_and_pasted_matrix.txt");
+    // 3980 px · 193 mm / 2 m - 124.5 px
+    let (out, _) = text(&format!("calculate --from {file} --distance 2m --solve-for disparity"));
+    assert!(out.join(" ").contains("259.6 px"), "{out:?}");
+}
+
+#[test]
+fn a_unit_for_a_file_whose_unit_is_known_is_said_not_to_be_used() {
+    let file = format!("{FILES}/middlebury_spaces_and_pasted_matrix.txt");
+    for arguments in [
+        format!("calculate --from {file} --file-unit 1mm --disparity 50"),
+        format!("import {file} --file-unit 1mm"),
+    ] {
+        let (_, err) = text(&arguments);
+        assert!(err.join(" ").contains("--file-unit is not used"), "{err:?}");
+    }
+}
+
+#[test]
+fn where_no_other_file_has_doffs_none_is_asked_for() {
+    let (_, err) = text(&format!("calculate --from {FILES}/kalibr_three_cameras.yaml --disparity 50"));
+    let err = err.join(" ");
+    assert!(err.contains("raw images") && !err.contains("other camera as well"), "{err}");
+}
+
+#[test]
+fn the_principal_point_of_a_pixel_is_that_of_the_file() {
+    let file = format!("{FILES}/middlebury_2021_crlf_no_last_newline.txt");
+    let (out, err) = text(&format!("calculate --from {file} --disparity 60 --u 100 --v 100"));
+    assert!(!err.join(" ").contains("--cx"), "{err:?}");
+    let (typed, _) = text(&format!("calculate --from {file} --disparity 60 --u 100 --v 100 --cx 100 --cy 100"));
+    assert_ne!(out, typed);
+}
+
+#[test]
+fn how_uncertain_a_focal_length_is_comes_with_it_where_the_file_says_so() {
+    let file = "crates/depth-files/tests/data/bouguet/Calib_Results.m";
+    let found = answer(file);
+    let sigma = found["cameras"][0]["sigma_px"][0].as_f64().unwrap();
+    assert!(sigma > 0.0);
+    let of_file = json(&format!("--from {file} --w-img 100 --w-real 1m"));
+    let fx = &found["cameras"][0]["fx"];
+    let typed = json(&format!("--fx {fx} --sigma-fx {sigma} --w-img 100 --w-real 1m"));
+    near(&of_file["monocular"]["sigma_m"], typed["monocular"]["sigma_m"].as_f64().unwrap());
+    let file = format!("{FILES}/middlebury_2021_crlf_no_last_newline.txt");
+    assert!(answer(&file)["cameras"][0]["sigma_px"].is_null());
+}
+
+#[test]
+fn an_archive_has_no_lines() {
+    let found = answer("crates/depth-files/tests/data/numpy/mono.npz");
+    assert!(found["cameras"][0]["line"].is_null() && found["cameras"][0]["origin"]["line"].is_null());
 }

@@ -1,6 +1,6 @@
 //! What is wrong with numbers that can be read.
 
-use crate::baseline::{Baseline, Guess};
+use crate::baseline::Baseline;
 use crate::camera::{Basis, Camera};
 use crate::format::Format;
 use crate::found::Found;
@@ -8,16 +8,12 @@ use crate::place::Origin;
 use crate::refusal::Refusal;
 use crate::sentences::shown;
 use crate::warning::{Statement, Warning};
-use depth_core::quantity::{Length, LengthUnit, Pixels};
+use depth_core::quantity::{Length, Pixels};
 
 /// A focal length lies between these parts of the width of its image: 136° to 2.9°.
 const FOCAL_LENGTHS: [f64; 2] = [0.2, 20.0];
 /// Baselines lie between these.
 const BASELINES_M: [f64; 2] = [0.001, 5.0];
-/// The distance of two lenses above which a number is hardly one of meters.
-const MOST_METERS: f64 = 1.5;
-/// The distance of two lenses above which a number is hardly one of squares of a board.
-const MOST_SQUARES: f64 = 15.0;
 /// doffs and the principal points agree to this, in pixels.
 const SAME_PX: f64 = 0.1;
 
@@ -73,6 +69,25 @@ pub(crate) fn contradict(rectified: Pinhole, raw: Pinhole) -> bool {
     let ([one, ..], [other, ..]) = (rectified, raw);
     let ratio = one / other;
     raw.iter().all(|number| number.is_finite()) && !(1.0 / FOCAL_RATIO..FOCAL_RATIO).contains(&ratio)
+}
+
+/// The principal point lies so near to the middle of the image, as a part of its side.
+const MIDDLE: std::ops::Range<f64> = 0.35..0.65;
+/// A rectification may move and zoom by this part without another size of the images.
+const SAME_SIZE: f64 = 0.25;
+/// The focal length and the principal point are scaled alike to this part.
+const SAME_RATIO: f64 = 0.1;
+
+/// How many times as large the rectified images are as the raw ones, which have this size, where they have another.
+pub(crate) fn resized(rectified: Pinhole, raw: Pinhole, size: [u32; 2]) -> Option<f64> {
+    let ([f, _, cx, cy], [raw_f, _, raw_cx, raw_cy]) = (rectified, raw);
+    let [width, height] = size.map(f64::from);
+    let is_of_size = MIDDLE.contains(&(raw_cx / width)) && MIDDLE.contains(&(raw_cy / height));
+    let ratio = cx / raw_cx;
+    let is_alike = [f / raw_f, cy / raw_cy]
+        .into_iter()
+        .all(|other| (other - ratio).abs() <= SAME_RATIO * ratio);
+    (is_of_size && is_alike && (ratio - 1.0).abs() > SAME_SIZE).then_some(ratio)
 }
 
 /// Why rectified values cannot be used, in a few words; `None` where they can.
@@ -173,16 +188,6 @@ pub(crate) fn same_length((used, origin): (f64, &Origin), (other, other_origin):
     })
 }
 
-/// A baseline of `value` in a unit that the file does not say.
-pub(crate) fn in_file_units(value: f64, square: Option<f64>) -> Baseline {
-    let guess = match square {
-        Some(size) if value < MOST_SQUARES => Guess::Squares { size },
-        _ if value > MOST_METERS => Guess::Unit(LengthUnit::Millimeter),
-        _ => Guess::Unit(LengthUnit::Meter),
-    };
-    Baseline::InFileUnits { value, guess }
-}
-
 /// A baseline of so many meters; `None` where both cameras stand at the same place.
 pub(crate) fn in_meters(meters: f64, warnings: &mut Vec<Warning>) -> Option<Baseline> {
     if meters > 0.0 && meters.is_finite() {
@@ -194,6 +199,7 @@ pub(crate) fn in_meters(meters: f64, warnings: &mut Vec<Warning>) -> Option<Base
 
 /// Fills in the offset of the principal points of the rectified pair, along its baseline; where the file has one of its own, that counts.
 pub(crate) fn read_doffs(found: &mut Found, of_file: Option<(f64, Origin)>) {
+    compare_rectified(found);
     let (of_file, file_origin) = of_file.map(|(px, origin)| (Pixels::new(px), origin)).unzip();
     let of_points = of_points(found);
     if let (Some(of_file), Some((of_points, _))) = (of_file, &of_points)
@@ -207,9 +213,48 @@ pub(crate) fn read_doffs(found: &mut Found, of_file: Option<(f64, Origin)>) {
     found.doffs_origin = file_origin.or(points_origin);
 }
 
+/// The focal lengths of a rectified pair agree to this part of them.
+const SAME_FOCAL: f64 = 0.01;
+
+/// Says where the cameras of a rectified pair cannot be of one rectification.
+fn compare_rectified(found: &mut Found) {
+    let Some([one, other]) = rectified_pair(found) else { return };
+    let ([f, g], mut said) = ([one, other].map(|camera| camera.fx.px()), Vec::new());
+    if let Some(sizes) = different_sizes(one, other) {
+        said.push(Warning::Sizes { sizes });
+    }
+    if (f - g).abs() > SAME_FOCAL * f.max(g) {
+        let say = |camera: &Camera| Statement {
+            value: format!("{} px", shown(camera.fx.px())),
+            origin: camera.origin.clone(),
+        };
+        let (one, other) = (say(one), say(other));
+        said.push(Warning::FocalLengths { one, other });
+    }
+    found.warnings.append(&mut said);
+}
+
+fn different_sizes(one: &Camera, other: &Camera) -> Option<[[u32; 2]; 2]> {
+    let (one, other) = one.size.zip(other.size)?;
+    (one != other).then_some([one, other])
+}
+
+/// The two cameras of the pair, where both are rectified.
+fn rectified_pair(found: &Found) -> Option<[&Camera; 2]> {
+    let pair = found.pair?.map(|at| found.cameras.get(at));
+    let [Some(one), Some(other)] = pair else { return None };
+    [one, other]
+        .iter()
+        .all(|camera| camera.basis == Basis::Rectified)
+        .then_some([one, other])
+}
+
 fn of_points(found: &Found) -> Option<(Pixels, Origin)> {
     let [first, second] = found.pair?;
     let (first, second) = (found.cameras.get(first)?, found.cameras.get(second)?);
+    if different_sizes(first, second).is_some() {
+        return None;
+    }
     let along = |camera: &Camera| if found.is_vertical { camera.cy.px() } else { camera.cx.px() };
     let center = if found.is_vertical { "cy" } else { "cx" };
     let names = if first.origin.how == second.origin.how {

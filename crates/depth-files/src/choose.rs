@@ -162,9 +162,18 @@ impl Found {
     /// [`Found::choose`] by names: as the file has them, or their last word where that is of one camera alone.
     ///
     /// # Errors
-    /// [`Refusal::NoSuchCamera`], [`Refusal::TwoCameras`].
+    /// [`Refusal::NoSuchCamera`]; [`Refusal::TwoCameras`] also where the two are no pair in files that have some.
     pub fn choose_named(&self, names: &[&str]) -> Result<Self, Refusal> {
         let places = names.iter().map(|name| self.place_of(name)).collect::<Result<Vec<_>, _>>()?;
+        if let [one, other] = *places
+            && !self.pairs.is_empty()
+            && !self
+                .pairs
+                .iter()
+                .any(|pair| pair.cameras == [one, other] || pair.cameras == [other, one])
+        {
+            return Err(Refusal::TwoCameras);
+        }
         self.choose(&places).ok_or(Refusal::TwoCameras)
     }
 

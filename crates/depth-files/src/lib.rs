@@ -16,6 +16,7 @@ mod format;
 mod formats;
 mod found;
 mod geometry;
+mod mismatches;
 mod node;
 mod number;
 mod pair;
@@ -25,6 +26,7 @@ mod refusal;
 mod remarks;
 mod sentences;
 mod text;
+mod units;
 mod warning;
 mod xml;
 mod yaml;
@@ -51,7 +53,7 @@ pub fn read(files: &[&[u8]]) -> Result<Found, Refusal> {
             twice.push(Warning::SameFile { files: [first, file] });
             continue;
         }
-        let read = recognize::read(bytes, file);
+        let read = recognize::read(bytes, file, &mut twice);
         all.push(read.map_err(|refusal| if files.len() > 1 { refusal.in_file(file) } else { refusal })?);
     }
     let mut found = formats::read(&all)?;

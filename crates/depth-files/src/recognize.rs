@@ -5,10 +5,11 @@ use crate::format::Format;
 use crate::formats::{is_bouguet, is_colmap, is_foundation_stereo, is_kitti, is_numpy, is_realsense, numpy};
 use crate::refusal::Refusal;
 use crate::text::lines;
+use crate::warning::Warning;
 use crate::yaml;
 
-/// What `bytes` are, which are the `file`th.
-pub(crate) fn read(bytes: &[u8], file: usize) -> Result<File, Refusal> {
+/// What `bytes` are, which are the `file`th. What is to be said of them is added to `warnings`.
+pub(crate) fn read(bytes: &[u8], file: usize, warnings: &mut Vec<Warning>) -> Result<File, Refusal> {
     if is_numpy(bytes) && bytes.len() <= LARGEST {
         return Ok(File::Trees(vec![numpy(bytes, file)?]));
     }
@@ -36,13 +37,51 @@ pub(crate) fn read(bytes: &[u8], file: usize) -> Result<File, Refusal> {
     if let Some(format) = of_lines(&text) {
         return Ok(File::Lines(format, text));
     }
-    let documents = yaml::documents(&text, file)?;
+    let documents = yaml::documents(&text, file, warnings).map_err(|refusal| match refusal {
+        // Of a text about something else it is not said which line of it is no YAML.
+        Refusal::Syntax { .. } if !may_be_calibration(&text) => Refusal::Unknown,
+        refusal => refusal,
+    })?;
     // Prose is a text of YAML.
     if documents.iter().any(|document| document.text().is_none()) {
         Ok(File::Trees(documents))
     } else {
         Err(Refusal::Unknown)
     }
+}
+
+/// What stands in every calibration in some spelling.
+const WORDS: [&str; 12] = [
+    "cam",
+    "matri",
+    "intrinsic",
+    "distort",
+    "baseline",
+    "data",
+    "fx",
+    "focal",
+    "width",
+    "proj",
+    "opencv",
+    "extrinsic",
+];
+
+/// Whether a key is that of a matrix, such as K or M1, or of a part of one.
+fn is_letter(key: &str) -> bool {
+    key.len() <= 2 && (key.starts_with(['k', 'd', 'p', 'r', 't', 'q', 'f', 'm']) || ["cx", "cy"].contains(&key))
+}
+
+/// Whether a line begins with a key that a calibration may have.
+fn may_be_calibration(text: &str) -> bool {
+    let is_key = |line: &str| {
+        let Some((key, _)) = line.split_once([':', '=']) else {
+            return false;
+        };
+        let key = key.trim_matches(|one: char| !one.is_ascii_alphanumeric()).to_ascii_lowercase();
+        let is_word = !key.contains(char::is_whitespace);
+        is_word && !key.is_empty() && (is_letter(&key) || WORDS.iter().any(|word| key.contains(word)))
+    };
+    text.trim_start().starts_with(['{', '[', '%']) || text.lines().any(is_key)
 }
 
 /// The format of a file of lines, by the first line that only it has.

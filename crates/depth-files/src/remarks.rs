@@ -16,11 +16,14 @@ impl fmt::Display for Warning {
 impl Warning {
     /// The sentence, with `names` for the files in their order.
     pub fn sentence(&self, names: &[&str]) -> String {
-        in_one_line(&if self.is_of_pair() {
-            self.of_pair(names)
-        } else {
-            self.of_files(names)
-        })
+        let text = self.of_mismatch(names).unwrap_or_else(|| {
+            if self.is_of_pair() {
+                self.of_pair(names)
+            } else {
+                self.of_files(names)
+            }
+        });
+        in_one_line(&text)
     }
 
     fn of_files(&self, names: &[&str]) -> String {
@@ -118,7 +121,7 @@ impl Warning {
 }
 
 /// `T in line 12 of left.yaml`.
-fn at(origin: &Origin, names: &[&str]) -> String {
+pub(crate) fn at(origin: &Origin, names: &[&str]) -> String {
     let place = origin.place().words(names);
     if place.is_empty() {
         origin.how.clone()
@@ -131,6 +134,7 @@ impl fmt::Display for Guess {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unit(unit) => write!(f, "probably {}.", unit.symbol()),
+            Self::Squares { size: 1.0 } => f.write_str("probably squares of the board, whose size the file does not say."),
             Self::Squares { size } => write!(f, "probably squares of the board, {size} each in the unit of its maker."),
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::baseline::Guess;
 use crate::format::Format;
-use crate::place::Origin;
+use crate::place::{Origin, Place};
 use depth_core::quantity::{Length, Pixels};
 
 /// Something that a file says, and where.
@@ -89,6 +89,47 @@ pub enum Warning {
         /// What else is said.
         other: Statement,
     },
+    /// Cameras that are said to be rectified have not the same focal length.
+    FocalLengths {
+        /// That of one of them.
+        one: Statement,
+        /// That of the other.
+        other: Statement,
+    },
+    /// The images of the two cameras are not of the same size.
+    Sizes {
+        /// Those of the one, and those of the other.
+        sizes: [[u32; 2]; 2],
+    },
+    /// Only the order of the files says which camera is the left one.
+    FileOrder,
+    /// The second camera stands above the first.
+    SwappedRows,
+    /// One camera stands in front of the other.
+    Ahead,
+    /// A matrix whose last number is not 1.
+    Scale {
+        /// Where it stands.
+        origin: Origin,
+        /// The number.
+        last: f64,
+    },
+    /// The rectified images have not the size that the file says.
+    RectifiedSize {
+        /// Which camera.
+        camera: String,
+        /// As it is in the file.
+        size: [u32; 2],
+        /// So many times as large are the rectified images.
+        ratio: f64,
+    },
+    /// A key stands twice in the same map.
+    Doubled {
+        /// The key.
+        key: String,
+        /// Where it stands first, and where it stands last.
+        places: [Place; 2],
+    },
     /// A camera matrix with rows for columns, as MATLAB has it.
     Transposed {
         /// Where it stands.
@@ -159,6 +200,11 @@ impl Warning {
                 | Self::NegativeBaseline
                 | Self::Doffs { .. }
                 | Self::Contradiction { .. }
+                | Self::FocalLengths { .. }
+                | Self::Sizes { .. }
+                | Self::FileOrder
+                | Self::SwappedRows
+                | Self::Ahead
                 | Self::Many { .. }
                 | Self::OneOfPair { .. }
                 | Self::NoExtrinsics
@@ -176,6 +222,7 @@ impl Warning {
         match self {
             Self::Fisheye { camera, .. }
             | Self::NoPrincipalPoint { camera }
+            | Self::RectifiedSize { camera, .. }
             | Self::Resized { camera, .. }
             | Self::Binned { camera, .. } => Some(camera),
             _ => None,

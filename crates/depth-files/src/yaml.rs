@@ -3,7 +3,9 @@
 use crate::node::{Node, Value};
 use crate::place::Place;
 use crate::refusal::Refusal;
+use crate::warning::Warning;
 use saphyr_parser::{Event, Parser, ScanError, Span, StrInput};
+use std::collections::{HashMap, HashSet};
 
 /// No calibration nests deeper: OpenCV’s have three levels, DepthAI’s eight.
 const DEEPEST: usize = 64;
@@ -13,9 +15,11 @@ const MOST: usize = 200_000;
 const MOST_SEPARATORS: usize = 100_000;
 /// PyYAML writes a line for each number, and so does `ros2 topic echo`.
 const MOST_LINES: usize = 2 * MOST;
+/// Of so many keys it is said that they stand twice.
+const MOST_DOUBLED: usize = 4;
 
-/// Every document that holds something in `text`, which is the `file`th.
-pub(crate) fn documents(text: &str, file: usize) -> Result<Vec<Node>, Refusal> {
+/// Every document that holds something in `text`, which is the `file`th. What stands twice in it is added to `warnings`.
+pub(crate) fn documents(text: &str, file: usize, warnings: &mut Vec<Warning>) -> Result<Vec<Node>, Refusal> {
     // The parser keeps all of a list that may be the key of a map, before anything of it is counted here.
     let count = |signs: &[u8]| text.bytes().filter(|byte| signs.contains(byte)).count();
     if count(b",:[{") > MOST_SEPARATORS || text.lines().count() > MOST_LINES {
@@ -31,6 +35,7 @@ pub(crate) fn documents(text: &str, file: usize) -> Result<Vec<Node>, Refusal> {
         let (event, span) = event.map_err(|error| syntax(text, file, &error))?;
         builder.take(event, span)?;
     }
+    warnings.append(&mut builder.doubled);
     Ok(builder.documents)
 }
 
@@ -103,13 +108,15 @@ struct Builder {
     anchors: Vec<(usize, Node)>,
     /// How many nodes there are, those of aliases too.
     count: usize,
+    /// What stands twice.
+    doubled: Vec<Warning>,
 }
 
 struct Open {
     node: Node,
     anchor: usize,
     /// Of a map: the key whose value comes next.
-    key: Option<String>,
+    key: Option<(String, usize)>,
 }
 
 impl Builder {
@@ -124,7 +131,10 @@ impl Builder {
             Event::SequenceStart(anchor, _) => self.begin(node(Value::List(Vec::new())), anchor),
             Event::MappingStart(anchor, _) => self.begin(node(Value::Map(Vec::new())), anchor),
             Event::SequenceEnd | Event::MappingEnd => match self.open.pop() {
-                Some(Open { node, anchor, .. }) => self.add(node, anchor),
+                Some(Open { mut node, anchor, .. }) => {
+                    self.take_last(&mut node);
+                    self.add(node, anchor)
+                }
                 None => Ok(()),
             },
             Event::Alias(anchor) => {
@@ -135,6 +145,35 @@ impl Builder {
             }
             _ => Ok(()),
         }
+    }
+
+    /// Of a key that stands twice in a map the last value counts, as for Python’s parsers of YAML and JSON.
+    fn take_last(&mut self, node: &mut Node) {
+        let Value::Map(entries) = &mut node.value else { return };
+        let mut last: HashMap<&str, Place> = HashMap::new();
+        let mut first: HashMap<&str, Place> = HashMap::new();
+        for (key, node) in entries.iter() {
+            first.entry(key).or_insert(node.place);
+            last.insert(key, node.place);
+        }
+        if last.len() == entries.len() {
+            return;
+        }
+        for (key, node) in entries.iter() {
+            let places = [first.get(key.as_str()), last.get(key.as_str())];
+            if let [Some(first), Some(last)] = places
+                && *first == node.place
+                && first != last
+                && self.doubled.len() < MOST_DOUBLED
+            {
+                let (key, places) = (key.clone(), [*first, *last]);
+                self.doubled.push(Warning::Doubled { key, places });
+            }
+        }
+        let mut seen = HashSet::new();
+        let mut kept: Vec<(String, Node)> = entries.drain(..).rev().filter(|(key, _)| seen.insert(key.clone())).collect();
+        kept.reverse();
+        *entries = kept;
     }
 
     fn begin(&mut self, node: Node, anchor: usize) -> Result<(), Refusal> {
@@ -163,8 +202,12 @@ impl Builder {
         match &mut open.node.value {
             Value::List(items) => items.push(node),
             Value::Map(entries) => match open.key.take() {
-                Some(key) => entries.push((key, node)),
-                None => open.key = Some(node.text().unwrap_or_default().to_owned()),
+                // What is said of a value is said with the line of its key, below which it may begin.
+                Some((key, line)) => {
+                    let place = Place { line, ..node.place };
+                    entries.push((key, Node { place, ..node }));
+                }
+                None => open.key = Some((node.text().unwrap_or_default().to_owned(), node.place.line)),
             },
             Value::Text(_) => {}
         }

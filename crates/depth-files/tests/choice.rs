@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "tests")]
 
-use depth_files::{Found, Warning, read};
+use depth_files::{Found, Refusal, Warning, read};
 
 fn found(text: &str) -> Found {
     read(&[text.as_bytes()]).unwrap()
@@ -55,8 +55,8 @@ fn of_a_zed_each_mode_can_be_chosen() {
         (hd.cameras[0].size, hd.cameras[0].fx.px(), meters(&hd)),
         (Some([1280, 720]), 700.25, 0.119_875)
     );
-    let crossed = all.choose_named(&["left HD", "right VGA"]).unwrap();
-    assert!(crossed.baseline.is_none() && crossed.warnings.iter().any(|one| matches!(one, Warning::NoBaseline { .. })));
+    // Two modes are no pair.
+    assert_eq!(all.choose_named(&["left HD", "right VGA"]), Err(Refusal::TwoCameras));
 }
 
 #[test]

@@ -2,10 +2,10 @@
 
 use super::opencv_names::{Part, find};
 use crate::baseline::Baseline;
-use crate::checks::in_file_units;
 use crate::format::Format;
 use crate::place::Origin;
 use crate::refusal::Refusal;
+use crate::units::in_file_units;
 use crate::warning::Warning;
 use depth_core::quantity::{Length, LengthUnit};
 

@@ -5,7 +5,7 @@
 
 use super::matrix::{place_pair, size};
 use crate::camera::{Basis, Camera};
-use crate::checks::{camera, coefficients, in_file_units};
+use crate::checks::{camera, coefficients};
 use crate::format::Format;
 use crate::found::Found;
 use crate::geometry::length;
@@ -13,6 +13,7 @@ use crate::number::numbers;
 use crate::place::Place;
 use crate::refusal::Refusal;
 use crate::text::{Line, lines};
+use crate::units::in_file_units;
 use crate::warning::Warning;
 use depth_core::quantity::Pixels;
 

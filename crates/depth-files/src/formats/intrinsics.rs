@@ -9,13 +9,14 @@ use super::intrinsics_names::{CX, CY, FOCALS, FX, FY, PRINCIPALS, columns, get, 
 use super::matrix::place_pair;
 use super::opencv_names::{Part, TRANSLATIONS, find, has_matrix, parts};
 use crate::camera::{Basis, Camera};
-use crate::checks::{Pinhole, camera, in_file_units, read_doffs};
+use crate::checks::{Pinhole, camera, read_doffs};
 use crate::format::Format;
 use crate::found::Found;
 use crate::geometry::length;
 use crate::node::Node;
 use crate::place::Origin;
 use crate::refusal::Refusal;
+use crate::units::in_file_units;
 use crate::warning::Warning;
 
 const FORMAT: Format = Format::Intrinsics;

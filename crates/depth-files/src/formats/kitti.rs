@@ -2,13 +2,15 @@
 //!
 //! Source: Geiger et al.: Vision meets robotics, 2013: `P_rect(i)[0][3]` = −f·b(i), with b(i) from camera 0.
 
+use super::kitti_extrinsics::Extrinsics;
 use super::matrix::{Projection, how, place_pair, size};
 use crate::camera::Basis;
-use crate::checks::{camera, in_meters, read_doffs};
+use crate::checks::{agree, camera, in_meters, read_doffs, same_length};
 use crate::format::Format;
 use crate::found::Found;
+use crate::geometry::{Vector, distance};
 use crate::number::first_numbers;
-use crate::place::Place;
+use crate::place::{Origin, Place};
 use crate::refusal::Refusal;
 use crate::text::{Line, lines};
 use crate::warning::Warning;
@@ -34,6 +36,8 @@ struct Row {
     name: String,
     projection: Projection,
     place: Place,
+    /// Where the camera was measured to stand.
+    station: Option<(Vector, Origin)>,
 }
 
 /// What a projection matrix is called, the number of its camera, and what comes behind the colon.
@@ -47,6 +51,7 @@ fn named(line: Line<'_>) -> Option<[&str; 3]> {
 
 pub(super) fn read(text: &str) -> Result<Found, Refusal> {
     let sizes = sizes(text);
+    let extrinsics = Extrinsics::read(text)?;
     let mut rows: Vec<Row> = Vec::new();
     let mut found = Found::of(FORMAT);
     let has_names = lines(text).any(|line| named(line).is_some());
@@ -58,7 +63,19 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
             None if has_names => continue,
             None => [&row, &number, line.text],
         };
-        let projection = Projection::new(line.array(values, FORMAT, name, "12")?);
+        let matrix = line.array(values, FORMAT, name, "12")?;
+        let projection = Projection::new(matrix);
+        let [.., last, _] = matrix;
+        if (last - 1.0).abs() > 1e-6 {
+            let (name, place) = (name.to_owned(), line.place);
+            return Err(Refusal::NotQ {
+                format: FORMAT,
+                name,
+                place,
+                entry: [2, 2],
+                found: last,
+            });
+        }
         let size = match sizes.get(number) {
             Some((line, values)) => size(line.array(values, FORMAT, "S_rect", "2")?),
             None => None,
@@ -66,6 +83,7 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
         let place = (size, Basis::Rectified, line.place.origin(name));
         found.add(camera(FORMAT, &format!("camera {number}"), projection.pinhole, place)?)?;
         rows.push(Row {
+            station: extrinsics.station(number),
             number: number.to_owned(),
             name: name.to_owned(),
             projection,
@@ -73,6 +91,7 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
         });
     }
     read_pairs(&mut found, &rows)?;
+    found.warnings.extend(extrinsics.outside());
     Ok(found)
 }
 
@@ -113,10 +132,27 @@ fn measure(two: &mut Found, left: &Row, right: &Row) {
     let projections = [left.projection, right.projection];
     let length = place_pair(two, [0, 1], left.projection.to(right.projection));
     if length > 0.0 {
+        let of_p = (length, right.place.origin(how([&left.name, &right.name], projections)));
+        // What was measured does not depend on the size of the images, to which somebody may have scaled a part of P.
+        let (length, origin) = match measured(left, right) {
+            Some(of_t) if !agree(of_t.0, of_p.0) => {
+                two.warnings.extend(same_length((of_t.0, &of_t.1), (of_p.0, &of_p.1)));
+                of_t
+            }
+            _ => of_p,
+        };
         let baseline = in_meters(length, &mut two.warnings);
-        two.measure(baseline, right.place.origin(how([&left.name, &right.name], projections)));
+        two.measure(baseline, origin);
         read_doffs(two, None);
     }
+}
+
+/// How far the cameras are apart by what was measured of them, and where that stands.
+fn measured(left: &Row, right: &Row) -> Option<(f64, Origin)> {
+    let ((one, first), (other, second)) = (left.station.as_ref()?, right.station.as_ref()?);
+    let length = distance(*one, *other);
+    let how = format!("distance by {} and {}", first.how, second.how);
+    (length > 0.0 && length.is_finite()).then(|| (length, second.place().origin(how)))
 }
 
 /// The lines with the sizes of the rectified images, by the numbers of the cameras.

@@ -1,9 +1,10 @@
 //! What camera matrices and projection matrices say.
 
-use crate::checks::Pinhole;
+use crate::checks::{Pinhole, agree};
 use crate::found::Found;
 use crate::place::Origin;
 use crate::warning::Warning;
+use std::ops::RangeInclusive;
 
 /// Two numbers as width and height, where they are some.
 pub(super) fn size([width, height]: [f64; 2]) -> Option<[u32; 2]> {
@@ -28,7 +29,18 @@ pub(super) fn of_columns([fx, _, zero, _, fy, other_zero, cx, cy, one]: [f64; 9]
 }
 
 /// The same of a matrix that may have rows for columns, as MATLAB has it: which is said.
+///
+/// One whose last number is not 1 is the same camera’s where all are divided by it: which is said.
 pub(super) fn read_matrix(matrix: [f64; 9], origin: &Origin, warnings: &mut Vec<Warning>) -> Pinhole {
+    let [.., zero, other_zero, last] = matrix;
+    if [zero, other_zero] == [0.0; 2] && SCALES.contains(&last) && (last - 1.0).abs() > SAME_SCALE {
+        let origin = origin.clone();
+        let warning = Warning::Scale { origin, last };
+        if !warnings.contains(&warning) {
+            warnings.push(warning);
+        }
+        return of_matrix(matrix.map(|number| number / last));
+    }
     let Some(turned) = of_columns(matrix) else {
         return of_matrix(matrix);
     };
@@ -37,6 +49,17 @@ pub(super) fn read_matrix(matrix: [f64; 9], origin: &Origin, warnings: &mut Vec<
         warnings.push(warning);
     }
     turned
+}
+
+/// A camera matrix may be multiplied by something between these.
+const SCALES: RangeInclusive<f64> = 0.1..=10.0;
+/// The last number of a matrix is 1 to this.
+const SAME_SCALE: f64 = 1e-6;
+
+/// Why a projection matrix cannot be used, in a few words; `None` where its last number but one is 1, as rectification makes it.
+pub(super) fn scaled(projection: Projection) -> Option<String> {
+    let last = projection.last;
+    ((last - 1.0).abs() > SAME_SCALE).then(|| format!("the third number of its last row is {last}, not 1"))
 }
 
 /// A projection matrix that may have rows for columns: then its third column is 0, 0, 1, 0, which is said.
@@ -50,6 +73,7 @@ pub(super) fn read_projection(matrix: [f64; 12], origin: &Origin, warnings: &mut
     Projection {
         pinhole: [fx, fy, cx, cy],
         shift: [tx, ty],
+        last: one,
     }
 }
 
@@ -61,21 +85,25 @@ pub(super) struct Projection {
     pub(super) pinhole: Pinhole,
     /// `P[0][3]` and `P[1][3]`.
     pub(super) shift: [f64; 2],
+    /// `P[2][2]`, which is 1.
+    pub(super) last: f64,
 }
 
 impl Projection {
-    pub(super) const fn new([fx, _, cx, tx, _, fy, cy, ty, ..]: [f64; 12]) -> Self {
+    pub(super) const fn new([fx, _, cx, tx, _, fy, cy, ty, _, _, last, _]: [f64; 12]) -> Self {
         Self {
             pinhole: [fx, fy, cx, cy],
             shift: [tx, ty],
+            last,
         }
     }
 
     /// How far `right` stands to the right of this camera, and how far below, in the unit of the file.
     pub(super) fn to(self, right: Self) -> [f64; 2] {
-        let [fx, fy, ..] = right.pinhole;
+        // Each by its own focal length, which differ in files that are stale.
+        let ([fx, fy, ..], [gx, gy, ..]) = (self.pinhole, right.pinhole);
         let ([tx, ty], [ux, uy]) = (self.shift, right.shift);
-        [(tx - ux) / fx, (ty - uy) / fy]
+        [tx / fx - ux / gx, ty / fy - uy / gy]
     }
 }
 
@@ -83,10 +111,13 @@ impl Projection {
 pub(super) fn how([first, second]: [&str; 2], [left, right]: [Projection; 2]) -> String {
     let row = usize::from(is_vertical(left.to(right)));
     let shift = |one: Projection| one.shift.get(row).copied().unwrap_or_default();
+    let [[one, ..], [other, ..]] = [left.pinhole, right.pinhole];
     let focal = format!("{second}[{row}][{row}]");
+    let first_focal = format!("{first}[{row}][{row}]");
     match [shift(left), shift(right)].map(|shift| shift == 0.0) {
         [true, _] => format!("{second}[{row}][3] / {focal}"),
-        [false, true] => format!("{first}[{row}][3] / {focal}"),
+        [false, true] => format!("{first}[{row}][3] / {first_focal}"),
+        _ if !agree(one, other) => format!("{first}[{row}][3] / {first_focal} - {second}[{row}][3] / {focal}"),
         _ => format!("({first}[{row}][3] - {second}[{row}][3]) / {focal}"),
     }
 }
@@ -108,7 +139,11 @@ pub(super) fn place_pair(found: &mut Found, [first, second]: [usize; 2], [right,
         found.warnings.push(Warning::Vertical);
     }
     if along < 0.0 {
-        found.warnings.push(Warning::Swapped);
+        found.warnings.push(if found.is_vertical {
+            Warning::SwappedRows
+        } else {
+            Warning::Swapped
+        });
     }
     along.abs()
 }

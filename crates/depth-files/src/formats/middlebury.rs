@@ -27,7 +27,13 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
             Some((key.trim(), Line { text: value, ..line }))
         })
         .collect();
-    let get = |key: &str| pairs.iter().find(|(name, _)| name.eq_ignore_ascii_case(key)).map(|(_, line)| *line);
+    let get = |key: &str| {
+        pairs
+            .iter()
+            .rev()
+            .find(|(name, _)| name.eq_ignore_ascii_case(key))
+            .map(|(_, line)| *line)
+    };
     let number = |key: &str| get(key).map(|line| line.array::<1>(line.text, FORMAT, key, "1")).transpose();
     let origin = |key: &str| get(key).map(|line| line.place.origin(key));
     let size = match (number("width")?, number("height")?) {
@@ -35,6 +41,7 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
         _ => None,
     };
     let mut found = Found {
+        warnings: doubled(&pairs),
         ignored: ignored(text),
         ..Found::of(FORMAT)
     };
@@ -63,6 +70,21 @@ pub(super) fn read(text: &str) -> Result<Found, Refusal> {
     let doffs = number("doffs")?.map(|[value]| value).zip(origin("doffs"));
     read_doffs(&mut found, doffs);
     Ok(found)
+}
+
+/// What stands twice: of that the last line counts, as where the pairs are put into a map.
+fn doubled(pairs: &[(&str, Line<'_>)]) -> Vec<Warning> {
+    let places = |key: &str| {
+        let mut all = pairs.iter().filter(|(name, _)| name.eq_ignore_ascii_case(key));
+        let (_, first) = all.next()?;
+        let (_, last) = all.next_back()?;
+        Some([first.place, last.place])
+    };
+    let warning = |key: &str| {
+        let (key, places) = (key.to_owned(), places(key)?);
+        Some(Warning::Doubled { key, places })
+    };
+    USED.into_iter().filter_map(warning).collect()
 }
 
 fn ignored(text: &str) -> Vec<String> {

@@ -11,6 +11,7 @@ mod intrinsics;
 mod intrinsics_names;
 mod kalibr;
 mod kitti;
+mod kitti_extrinsics;
 mod matrix;
 mod middlebury;
 mod numpy;
@@ -20,6 +21,8 @@ mod opencv_names;
 mod orbslam;
 mod realsense;
 mod ros;
+mod ros_info;
+mod ros_text;
 mod ros_window;
 mod sensor;
 mod transforms;
@@ -48,6 +51,11 @@ pub(crate) fn read(files: &[File]) -> Result<Found, Refusal> {
     let mut found = match files {
         [] => return Err(Refusal::Empty),
         [File::Lines(format, text)] => of_lines(*format, text)?,
+        [File::Lines(Format::Ros, one), File::Lines(Format::Ros, other)] => {
+            are_not_too_much(one)?;
+            are_not_too_much(other)?;
+            ros::read_texts(&[one, other])?
+        }
         _ => of_trees(files)?,
     };
     if found.cameras.is_empty() {
@@ -70,17 +78,22 @@ pub(crate) fn read(files: &[File]) -> Result<Found, Refusal> {
 /// No calibration has more: `rs-enumerate-devices` prints 10 000.
 const MOST_LINES: usize = 100_000;
 
-fn of_lines(format: Format, text: &str) -> Result<Found, Refusal> {
+fn are_not_too_much(text: &str) -> Result<(), Refusal> {
     if lines(text).count() > MOST_LINES {
         return Err(Refusal::TooMuch);
     }
+    Ok(())
+}
+
+fn of_lines(format: Format, text: &str) -> Result<Found, Refusal> {
+    are_not_too_much(text)?;
     match format {
         Format::Middlebury => middlebury::read(text),
         Format::Kitti => kitti::read(text),
         Format::Colmap => colmap::read(text),
         Format::Zed => zed::read(text),
         Format::RealSense => realsense::read(text),
-        Format::Ros => ros::read_text(text),
+        Format::Ros => ros::read_texts(&[text]),
         Format::FoundationStereo => foundation_stereo::read(text),
         Format::Bouguet => bouguet::read(text),
         _ => Err(Refusal::Unknown),

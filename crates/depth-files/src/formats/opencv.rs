@@ -2,11 +2,11 @@
 //!
 //! Source: the samples of OpenCV, `stereo_calib.cpp`; `P2[0][3] = −fx·b`, in the unit of the board.
 
-use super::matrix::{Projection, how, of_matrix, place_pair, read_matrix, read_projection, size};
+use super::matrix::{Projection, how, place_pair, read_matrix, read_projection, scaled, size};
 use super::opencv_baseline;
-use super::opencv_names::{Matrices, Part, SIZES, TRANSLATIONS, WIDTHS, find, parts, square};
+use super::opencv_names::{Matrices, Part, SIZES, TRANSLATIONS, WIDTHS, find, fisheye, parts};
 use crate::camera::{Basis, Camera};
-use crate::checks::{camera, contradict, in_file_units, read_doffs, unusable};
+use crate::checks::{camera, contradict, read_doffs, resized, unusable};
 use crate::format::Format;
 use crate::found::Found;
 use crate::geometry::length;
@@ -30,9 +30,22 @@ pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
         found.pair = Some([0, 1]);
     }
     opencv_baseline::compare(&mut found, &parts)?;
+    if let Some(model) = fisheye(&parts) {
+        let cameras = found.cameras.iter().map(|camera| camera.name.clone());
+        let warnings = cameras.map(|camera| Warning::Fisheye {
+            camera,
+            model: model.clone(),
+        });
+        found.warnings.extend(warnings);
+    }
     if found.baseline.is_none() && found.cameras.len() == 1 {
         found.warnings.push(Warning::NoBaseline { format: FORMAT });
-    } else if found.baseline.is_none() && found.warnings.iter().all(|one| matches!(one, Warning::Raw { .. })) {
+    } else if found.baseline.is_none()
+        && found
+            .warnings
+            .iter()
+            .all(|one| matches!(one, Warning::Raw { .. } | Warning::FileOrder | Warning::Fisheye { .. }))
+    {
         found.warnings.push(Warning::NoExtrinsics);
     }
     Ok(found)
@@ -49,7 +62,10 @@ fn read_rectified(found: &mut Found, parts: &Parts<'_>, size: Option<[u32; 2]>) 
     };
     let left = projection(first, &mut found.warnings)?;
     let right = projection(second, &mut found.warnings)?;
-    if let Some(why) = unusable(left.pinhole, size).or_else(|| unusable(right.pinhole, size)) {
+    let why = [left, right]
+        .into_iter()
+        .find_map(|one| scaled(one).or_else(|| unusable(one.pinhole, size)));
+    if let Some(why) = why {
         found.warnings.push(Warning::RectificationUnusable { why });
         return Ok(false);
     }
@@ -57,12 +73,21 @@ fn read_rectified(found: &mut Found, parts: &Parts<'_>, size: Option<[u32; 2]>) 
         .first
         .map(|part| part.node.array::<9>(FORMAT, "the camera matrix", "9"))
         .transpose()?;
-    let raw = raw.map(of_matrix);
+    let raw = raw.map(|raw| read_matrix(raw, &first.origin(), &mut Vec::new()));
     if raw.is_some_and(|raw| contradict(left.pinhole, raw)) {
         let why = "its focal length is many times that of the camera".to_owned();
         found.warnings.push(Warning::RectificationUnusable { why });
         return Ok(false);
     }
+    let size = size.filter(|size| {
+        let ratio = raw.and_then(|raw| resized(left.pinhole, raw, *size));
+        found.warnings.extend(ratio.map(|ratio| Warning::RectifiedSize {
+            camera: "first".to_owned(),
+            size: *size,
+            ratio,
+        }));
+        ratio.is_none()
+    });
     let cameras = [("first", left, first), ("second", right, second)];
     let distortions = Matrices::distortions(parts);
     for ((name, projection, part), distortion) in cameras.into_iter().zip([distortions.first, distortions.second]) {
@@ -79,7 +104,7 @@ fn read_rectified(found: &mut Found, parts: &Parts<'_>, size: Option<[u32; 2]>) 
         read_translation(found, parts)?;
     } else {
         let value = place_pair(found, [0, 1], left.to(right));
-        let baseline = (value > 0.0).then(|| in_file_units(value, square(parts)));
+        let baseline = (value > 0.0).then(|| opencv_baseline::in_units(value, parts));
         found.measure(baseline, second.node.place.origin(how([&first.name, &second.name], [left, right])));
     }
     read_doffs(found, None);
@@ -114,7 +139,7 @@ fn read_q(found: &mut Found, parts: &Parts<'_>, size: Option<[u32; 2]>) -> Resul
     }
     let along = if q.swapped { -q.baseline } else { q.baseline };
     let value = place_pair(found, [0, 1], [along, 0.0]);
-    let baseline = (value.is_finite() && value > 0.0).then(|| in_file_units(value, square(parts)));
+    let baseline = (value.is_finite() && value > 0.0).then(|| opencv_baseline::in_units(value, parts));
     found.measure(baseline, part.node.place.origin(format!("1 / {}[3][2]", part.name)));
     let sign = if q.swapped { -1.0 } else { 1.0 };
     let doffs = part.node.place.origin(format!("{0}[3][3] / {0}[3][2]", part.name));
@@ -152,6 +177,9 @@ fn read_singles(found: &mut Found, parts: &Parts<'_>, size: Option<[u32; 2]>) ->
     let files = parts.chunk_by(|one, other| one.node.place.file == other.node.place.file);
     let with_camera = files.filter_map(|parts| Some((parts, Matrices::cameras(parts).first?)));
     let singles: Vec<(&Parts<'_>, &Part<'_>)> = with_camera.collect();
+    if singles.len() == 2 {
+        found.warnings.push(Warning::FileOrder);
+    }
     for (at, (parts, matrix)) in singles.iter().enumerate() {
         let name = match (singles.len(), at) {
             (1, _) => "camera".to_owned(),
@@ -187,7 +215,7 @@ fn read_translation(found: &mut Found, parts: &Parts<'_>) -> Result<(), Refusal>
         let [x, y, z]: [f64; 3] = part.node.array(FORMAT, "T", "3")?;
         place_pair(found, [0, 1], [-x, -y]);
         let value = length([x, y, z]);
-        let baseline = (value > 0.0).then(|| in_file_units(value, square(parts)));
+        let baseline = (value > 0.0).then(|| opencv_baseline::in_units(value, parts));
         found.measure(baseline, part.node.place.origin(format!("|{}|", part.name)));
     }
     Ok(())

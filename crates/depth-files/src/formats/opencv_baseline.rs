@@ -1,15 +1,16 @@
 //! The baseline of an OpenCV calibration, which may stand in it five times over: in P, in T, in Q, and under a key with a unit or without.
 
 use super::baseline::with_unit;
-use super::opencv_names::{Matrices, Part, QS, TRANSLATIONS, find, square};
+use super::opencv_names::{Matrices, Part, QS, TRANSLATIONS, find, square, unit};
 use crate::baseline::Baseline;
-use crate::checks::{agree, in_file_units};
+use crate::checks::agree;
 use crate::format::Format;
 use crate::found::Found;
 use crate::geometry::length;
 use crate::place::Origin;
 use crate::refusal::Refusal;
 use crate::sentences::shown;
+use crate::units::in_file_units;
 use crate::warning::{Statement, Warning};
 use depth_core::q_matrix::{self, StereoGeometry};
 use depth_core::quantity::{Length, LengthUnit};
@@ -35,6 +36,14 @@ pub(super) fn q<'p, 'a>(parts: &'p Parts<'a>) -> Result<Option<(&'p Part<'a>, St
         found: wrong.found,
     })?;
     Ok(Some((part, geometry)))
+}
+
+/// A baseline of `value`, in the unit that the file says, or in one that it does not say.
+pub(super) fn in_units(value: f64, parts: &Parts<'_>) -> Baseline {
+    match unit(parts) {
+        Some(unit) => Baseline::Known(Length::new(value, unit)),
+        None => in_file_units(value, square(parts)),
+    }
 }
 
 /// What a file says of the baseline.
@@ -89,7 +98,7 @@ fn bare(parts: &Parts<'_>) -> Result<Option<Claim>, Refusal> {
     let Some(part) = find(parts, &["baseline"]) else { return Ok(None) };
     let value = part.node.number(FORMAT, &part.name)?.abs();
     Ok((value > 0.0).then(|| Claim {
-        baseline: in_file_units(value, square(parts)),
+        baseline: in_units(value, parts),
         origin: part.origin(),
         is_loose: true,
     }))
@@ -99,7 +108,7 @@ fn bare(parts: &Parts<'_>) -> Result<Option<Claim>, Refusal> {
 fn others(found: &Found, parts: &Parts<'_>) -> Result<Vec<Claim>, Refusal> {
     let mut claims = Vec::new();
     let claim = |value: f64, origin: Origin| Claim {
-        baseline: in_file_units(value, square(parts)),
+        baseline: in_units(value, parts),
         origin,
         is_loose: false,
     };

@@ -3,6 +3,7 @@
 use crate::format::Format;
 use crate::node::{Node, Value};
 use crate::place::Origin;
+use depth_core::quantity::LengthUnit;
 
 /// A part of a file that may be a number or a matrix.
 #[derive(Clone, Debug)]
@@ -82,6 +83,9 @@ pub(super) const QS: [&str; 6] = [
 pub(super) const SIZES: [&str; 5] = ["imagesize", "calibimagesize", "imgsize", "capsize", "size"];
 pub(super) const WIDTHS: [[&str; 2]; 3] = [["imagewidth", "imageheight"], ["framewidth", "frameheight"], ["width", "height"]];
 const SQUARES: [&str; 3] = ["squaresize", "squaresizemm", "squaresizem"];
+const FISHEYE_FLAGS: [&str; 3] = ["fisheyemodel", "fisheye", "isfisheye"];
+const MODELS: [&str; 5] = ["model", "cameramodel", "lensmodel", "modeltype", "cameratype"];
+const UNITS: [&str; 6] = ["unit", "units", "lengthunit", "lengthunits", "baselineunit", "baselineunits"];
 /// How the first and the second camera are told apart.
 const FIRST: [&str; 3] = ["1", "left", "l"];
 const SECOND: [&str; 3] = ["2", "right", "r"];
@@ -169,4 +173,28 @@ pub(super) fn is_known(document: &Node) -> bool {
 pub(super) fn square(parts: &[Part<'_>]) -> Option<f64> {
     let numbers = find(parts, &SQUARES)?.node.numbers(Format::OpenCv, "the square").ok()?;
     numbers.first().copied().filter(|size| *size > 0.0)
+}
+
+/// The unit of its lengths, where a file says it under a key of its own.
+pub(super) fn unit(parts: &[Part<'_>]) -> Option<LengthUnit> {
+    let text = find(parts, &UNITS)?.node.text()?.trim().to_ascii_lowercase();
+    match text.trim_end_matches('s') {
+        "mm" | "millimeter" | "millimetre" => Some(LengthUnit::Millimeter),
+        "cm" | "centimeter" | "centimetre" => Some(LengthUnit::Centimeter),
+        "m" | "meter" | "metre" => Some(LengthUnit::Meter),
+        "in" | "inch" | "inche" => Some(LengthUnit::Inch),
+        _ => None,
+    }
+}
+
+/// What a file calls the model of its lenses, where that is one of a fisheye lens.
+pub(super) fn fisheye(parts: &[Part<'_>]) -> Option<String> {
+    let text = |part: &Part<'_>| part.node.text().unwrap_or_default().trim().to_ascii_lowercase();
+    let flag = find(parts, &FISHEYE_FLAGS).filter(|part| ["1", "true", "yes", "on"].contains(&text(part).as_str()));
+    let model = || find(parts, &MODELS).map(text).filter(|text| is_fisheye(text));
+    flag.map(|_| "fisheye".to_owned()).or_else(model)
+}
+
+fn is_fisheye(model: &str) -> bool {
+    ["fisheye", "equidistant", "kannala"].iter().any(|name| model.contains(name))
 }

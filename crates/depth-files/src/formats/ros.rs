@@ -1,16 +1,15 @@
 //! ROS: `sensor_msgs/CameraInfo` as a calibration file, as `rostopic echo` and `ros2 topic echo` print it, and as the calibrator does.
 
 use super::matrix::{Projection, how, place_pair, read_matrix, read_projection, size};
+use super::ros_info::{Info, of_matrices};
+use super::ros_text;
 use super::ros_window::Window;
-use crate::camera::{Basis, Camera};
-use crate::checks::{Pinhole, camera, coefficients, contradict, in_meters, read_doffs, unusable};
+use crate::camera::Camera;
+use crate::checks::{in_meters, read_doffs};
 use crate::format::Format;
 use crate::found::Found;
 use crate::node::Node;
-use crate::number::numbers;
-use crate::place::Origin;
 use crate::refusal::Refusal;
-use crate::text::{Line, lines};
 use crate::warning::Warning;
 
 const FORMAT: Format = Format::Ros;
@@ -18,19 +17,18 @@ const FORMAT: Format = Format::Ros;
 /// ROS knows no rig of more cameras.
 const MOST_CAMERAS: usize = 12;
 
-/// What one message says.
-struct Info {
-    camera: Camera,
-    /// P, where it can be used.
-    projection: Option<Projection>,
-}
-
 pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
     let mut warnings = Vec::new();
-    let infos = documents
-        .iter()
-        .map(|document| info(document, &mut warnings))
-        .collect::<Result<Vec<_>, _>>()?;
+    let mut infos: Vec<Info> = Vec::new();
+    for document in documents {
+        let mut said = Vec::new();
+        let info = info(document, &mut said)?;
+        // A topic says the same again with every image.
+        if !infos.iter().any(|before| before.is_repeated_by(&info)) {
+            infos.push(info);
+            warnings.append(&mut said);
+        }
+    }
     found(&infos, warnings)
 }
 
@@ -85,7 +83,8 @@ fn measure(two: &mut Found, [one, other]: [Projection; 2]) {
     let length = place_pair(two, [0, 1], one.to(other));
     // The right camera is the one whose P has the baseline, in whatever order the files come.
     if other.shift == [0.0; 2] {
-        two.warnings.retain(|warning| *warning != Warning::Swapped);
+        two.warnings
+            .retain(|warning| !matches!(warning, Warning::Swapped | Warning::SwappedRows));
     }
     if length > 0.0 {
         let baseline = in_meters(length, &mut two.warnings);
@@ -116,7 +115,10 @@ fn names<'a>(first: &'a Camera, second: &'a Camera, [one, other]: [Projection; 2
 /// The right camera of a pair has the baseline in its P.
 fn read_one(found: &mut Found, one: &Info) {
     let shift = one.projection.map_or([0.0; 2], |projection| projection.shift);
-    if shift == [0.0; 2] {
+    let name = one.camera.name.to_ascii_lowercase();
+    if shift == [0.0; 2] && !name.contains("left") && !name.contains("right") {
+        found.warnings.push(Warning::NoBaseline { format: FORMAT });
+    } else if shift == [0.0; 2] {
         found.warnings.push(Warning::OneOfPair {
             other: "of the right camera",
         });
@@ -176,92 +178,12 @@ fn info(document: &Node, warnings: &mut Vec<Warning>) -> Result<Info, Refusal> {
     Ok(info)
 }
 
-/// What a file has of a camera, and where it stands.
-type Placed<T> = Option<(T, Origin)>;
-
-/// A camera of P where that can be used, else of K.
-fn of_matrices(
-    name: &str,
-    size: Option<[u32; 2]>,
-    (projection, matrix): (Placed<Projection>, Placed<Pinhole>),
-    warnings: &mut Vec<Warning>,
-) -> Result<Info, Refusal> {
-    if let Some((projection, origin)) = projection {
-        let of_another = matrix.as_ref().is_some_and(|(matrix, _)| contradict(projection.pinhole, *matrix));
-        let why = of_another.then(|| "its focal length is many times that of the camera, or a fraction of it".to_owned());
-        match unusable(projection.pinhole, size).or(why) {
-            None => {
-                return Ok(Info {
-                    camera: camera(FORMAT, name, projection.pinhole, (size, Basis::Rectified, origin))?,
-                    projection: Some(projection),
-                });
-            }
-            Some(why) => warnings.push(Warning::RectificationUnusable { why }),
-        }
-    }
-    let Some((matrix, origin)) = matrix else {
-        return Err(Refusal::Missing {
-            format: FORMAT,
-            what: "usable K or P",
-        });
-    };
-    Ok(Info {
-        camera: camera(FORMAT, name, matrix, (size, Basis::Raw, origin))?,
-        projection: None,
-    })
-}
-
-/// What the calibrator prints, which is saved as ost.txt: both cameras one after the other.
-pub(super) fn read_text(text: &str) -> Result<Found, Refusal> {
-    let all: Vec<Line<'_>> = lines(text).collect();
+/// What the calibrator prints, of both cameras in one file, or of each in its own.
+pub(super) fn read_texts(texts: &[&str]) -> Result<Found, Refusal> {
     let mut warnings = Vec::new();
-    let mut infos = Vec::new();
-    let mut size_now = [f64::NAN; 2];
-    let mut name = String::new();
-    let mut matrix = None;
-    let mut distortion = Vec::new();
-    for (index, line) in all.iter().enumerate() {
-        let after = |rows: usize| {
-            all.iter()
-                .skip(index + 1)
-                .take(rows)
-                .map(|line| line.text)
-                .collect::<Vec<_>>()
-                .join(" ")
-        };
-        match line.text {
-            "width" => size_now = [one(*line, &after(1), "the width")?, f64::NAN],
-            "height" => {
-                let [width, _] = size_now;
-                size_now = [width, one(*line, &after(1), "the height")?];
-            }
-            "camera matrix" => {
-                let numbers = line.array(&after(3), FORMAT, "the camera matrix", "9")?;
-                let origin = line.place.origin("camera matrix");
-                matrix = Some((read_matrix(numbers, &origin, &mut warnings), origin));
-            }
-            "distortion" => distortion = coefficients(numbers(&after(1))),
-            "projection" => {
-                let projection = Projection::new(line.array(&after(3), FORMAT, "the projection", "12")?);
-                let matrices = (Some((projection, line.place.origin("projection"))), matrix.take());
-                let mut info = of_matrices(&name, size(size_now), matrices, &mut warnings)?;
-                info.camera.distortion = std::mem::take(&mut distortion);
-                infos.push(info);
-            }
-            section if section.starts_with('[') && section != "[image]" => name = section.trim_matches(['[', ']']).to_owned(),
-            _ => {}
-        }
+    let mut all = Vec::new();
+    for (file, text) in texts.iter().enumerate() {
+        all.append(&mut ros_text::infos(text, file, &mut warnings)?);
     }
-    if infos.is_empty() {
-        return Err(Refusal::Missing {
-            format: FORMAT,
-            what: "projection",
-        });
-    }
-    found(&infos, warnings)
-}
-
-fn one(line: Line<'_>, text: &str, name: &str) -> Result<f64, Refusal> {
-    let [number] = line.array(text, FORMAT, name, "1")?;
-    Ok(number)
+    found(&all, warnings)
 }

@@ -53,6 +53,7 @@ impl Window {
             *projection = Projection {
                 pinhole: self.of(projection.pinhole),
                 shift: [tx / f64::from(columns), ty / f64::from(rows)],
+                ..*projection
             };
         }
         warnings.push(Warning::Binned {

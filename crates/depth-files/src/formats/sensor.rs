@@ -29,7 +29,7 @@ pub(super) fn read_camera(
         return Err(Refusal::NotPinhole {
             format,
             model,
-            place: node.place,
+            place: node.get("camera_model").map_or(node.place, |model| model.place),
         });
     }
     let distortion = text("distortion_model");
@@ -156,8 +156,12 @@ impl Relation {
             (false, [first, second]) => format!("distance from {} to {} by {name}", first.name, second.name),
             _ => name.to_owned(),
         };
-        let [right, down, _] = self.transform.origin();
+        let [right, down, ahead] = self.transform.origin();
         place_pair(two, [0, 1], [right, down]);
+        if ahead.abs() > right.hypot(down) {
+            two.warnings.retain(|warning| *warning != Warning::ZeroBaseline);
+            two.warnings.push(Warning::Ahead);
+        }
         let origin = place.origin(how);
         if let Some((length, named)) = self.by_poses {
             let other = named.place.origin(format!("distance by {}", named.name));
