@@ -57,10 +57,11 @@ impl Shown {
         self.choice = choice;
         self.unit = None;
         self.square = match self.baseline() {
+            // A size of 1 says nothing: the board was measured in its own squares.
             Some(Baseline::InFileUnits {
                 guess: Guess::Squares { size },
                 ..
-            }) => {
+            }) if size != 1.0 => {
                 // Nobody prints squares of a meter, nor of a thousandth of a millimeter.
                 let unit = if size < 1.0 { LengthUnit::Meter } else { LengthUnit::Millimeter };
                 Entry::new(crate::app::rigs::number(size), Some(unit))
@@ -186,6 +187,10 @@ mod tests {
         assert!((meters(&shown).unwrap() - 0.08).abs() < 1e-12);
         shown.square.text.clear();
         assert_eq!(shown.rig(&[]), None, "the size is asked for");
+        let guess = Guess::Squares { size: 1.0 };
+        let mut shown = Shown::new(found(Baseline::InFileUnits { value: 3.2, guess }));
+        shown.unit = Some(0);
+        assert_eq!(shown.rig(&[]), None, "so many squares, of a size that is not said");
         let guess = Guess::Squares { size: 0.025 };
         let mut shown = Shown::new(found(Baseline::InFileUnits { value: 3.2, guess }));
         shown.unit = Some(0);

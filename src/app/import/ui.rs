@@ -309,7 +309,12 @@ fn changes_ui(ui: &mut Ui, cx: &AppContext<'_>, rig: Option<Rig>) {
             return "nothing".to_owned();
         }
         let chosen = entry.unit.map(crate::core::quantity::LengthUnit::symbol);
-        let unit = chosen.unwrap_or_else(|| key.unit_symbol());
+        // Squares of a board stand in the text, with the unit of their size.
+        let unit = if entry.text.contains(char::is_alphabetic) {
+            ""
+        } else {
+            chosen.unwrap_or_else(|| key.unit_symbol())
+        };
         let sigma = if entry.sigma.is_empty() {
             String::new()
         } else {
