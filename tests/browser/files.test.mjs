@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
-import { after, before, it, ONE_ENGINE } from './harness.mjs';
+import { after, before, it, ONE_ENGINE, TWO_ENGINES } from './harness.mjs';
 import { startBench, until } from './page.mjs';
 import { settings } from './settings.mjs';
 
@@ -82,7 +82,7 @@ it('a file that is dropped is shown, then used, and the distance follows', async
   await page.says(/whatever/);
 });
 
-it('the unit that a file does not say is asked for', async (test) => {
+it('the unit that a file does not say is asked for', { engines: TWO_ENGINES }, async (test) => {
   const page = await started(test);
   await drop(page, ['extrinsics.yml', OPENCV]);
   await page.says(/Which is it\?/);
@@ -94,7 +94,7 @@ it('the unit that a file does not say is asked for', async (test) => {
   await until('the baseline', async () => (await page.value(BASELINE)) === '120');
 });
 
-it('what cannot be read says why and changes nothing, and the text of a file can be pasted', async (test) => {
+it('what cannot be read says why and changes nothing, and the text of a file can be pasted', { engines: TWO_ENGINES }, async (test) => {
   const page = await started(test);
   await page.press('Rigs');
   await page.press('Calibration file…');
@@ -121,7 +121,7 @@ it('what cannot be read says why and changes nothing, and the text of a file can
   await page.says(/pasted text: a calib\.txt of Middlebury/);
 });
 
-it('files that are chosen are read together', async (test) => {
+it('files that are chosen are read together', { engines: TWO_ENGINES }, async (test) => {
   const page = await started(test);
   await page.press('Rigs');
   await page.press('Calibration file…');

@@ -7,6 +7,8 @@ import { settings } from './settings.mjs';
 
 /** For what no engine can do in another way than the others: texts, the program's own decisions, rules about HTML. */
 export const ONE_ENGINE = ['chromium'];
+/** For what takes long and hardly depends on the engine: in two that differ. */
+export const TWO_ENGINES = ['chromium', 'firefox'];
 
 const engine = ENGINES[settings.engine];
 /** Names of the tests of the file that is being read, while tests are listed. */

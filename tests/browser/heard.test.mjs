@@ -2,7 +2,7 @@
 // where it was left. `cargo xtask speech` lets a screen reader say it.
 
 import assert from 'node:assert/strict';
-import { after, before, it } from './harness.mjs';
+import { after, before, it, TWO_ENGINES } from './harness.mjs';
 import { Key, startBench, until } from './page.mjs';
 
 const MIRROR = '#accessible-mirror';
@@ -195,7 +195,7 @@ const WATCH_THE_FOCUS = `${NOTE}
     else if (relatedTarget.localName === 'canvas') note('to the canvas');
   });`;
 
-it('the focus stays where an action left it, or goes to what it opened, and is never nowhere', { engines: ['chromium', 'firefox'] }, async (test) => {
+it('the focus stays where an action left it, or goes to what it opened, and is never nowhere', { engines: TWO_ENGINES }, async (test) => {
   const page = await bench.page(test);
   for (const [presses, expected] of ACTIONS) {
     await page.start();

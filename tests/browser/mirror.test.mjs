@@ -3,7 +3,7 @@
 // Longer than a file should be, as everything in it walks through the same pages with the same helpers.
 
 import assert from 'node:assert/strict';
-import { after, before, it, unless } from './harness.mjs';
+import { after, before, it, TWO_ENGINES, unless } from './harness.mjs';
 import { Pointer } from 'selenium-webdriver/lib/input.js';
 import { Key, startBench, until } from './page.mjs';
 import { settings } from './settings.mjs';
@@ -236,7 +236,7 @@ async function rebuilt(page) {
   return { grown, fresh, made };
 }
 
-it('after a random walk the mirror is what it would be if it were made anew', async (test) => {
+it('after a random walk the mirror is what it would be if it were made anew', { engines: TWO_ENGINES }, async (test) => {
   const page = await bench.page(test);
   await page.start();
   // The dialog for printing is the browser's, and in Firefox the page waits for it.

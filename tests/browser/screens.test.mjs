@@ -33,15 +33,12 @@ const FULL = {
   'Uncertainty of Object width in image (w_img)': '2',
   'Uncertainty of Object real width (w_real)': '0.01',
 };
-const DISAGREE = { ...FULL, 'Camera baseline (b)': '10' };
 const MISTAKES = { 'Focal length (fx)': 'seven', 'Camera baseline (b)': '-3', 'Disparity (d)': '0' };
 
 /** How each screen is reached from a fresh start. */
 const SCREENS = {
   'calculator-empty': async () => {},
-  'calculator-mug': (page) => fillAll(page, MUG),
   'calculator-full': (page) => fillAll(page, FULL),
-  'calculator-disagree': (page) => fillAll(page, DISAGREE),
   'calculator-errors': (page) => fillAll(page, MISTAKES),
   rigs: async (page) => {
     await page.show('Rigs');

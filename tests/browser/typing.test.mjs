@@ -1,7 +1,7 @@
 // Somebody who types faster than the program draws: what is typed is in the field that was meant.
 
 import assert from 'node:assert/strict';
-import { after, before, it } from './harness.mjs';
+import { after, before, it, TWO_ENGINES } from './harness.mjs';
 import { Key, startBench, until } from './page.mjs';
 
 const FIELDS = ['Focal length (fx)', 'Camera baseline (b)', 'Disparity (d)', 'Object width in image (w_img)', 'Object real width (w_real)'];
@@ -39,7 +39,7 @@ for (const [device, width, height, needs] of [
   ['desk', 1280, 1000, []],
   ['phone', 390, 1500, ['show a page as narrow as a phone']],
 ]) {
-  it(`twenty forms are filled by mouse and keys without waiting for anything, as wide as on a ${device}`, { needs }, async (test) => {
+  it(`twenty forms are filled by mouse and keys without waiting for anything, as wide as on a ${device}`, { needs, engines: TWO_ENGINES }, async (test) => {
     const page = await bench.page(test);
     await page.setScreen({ width, height });
     await page.start();
