@@ -71,7 +71,8 @@ impl Found {
         let [Some(first), Some(second)] = places.map(|at| self.cameras.get(at)) else {
             return Ok(());
         };
-        if self.has_all_pairs() {
+        // A damaged file may name one camera for both sides.
+        if self.has_all_pairs() || places.first() == places.last() {
             return Ok(());
         }
         let mut two = Self {
