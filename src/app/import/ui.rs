@@ -322,8 +322,7 @@ fn changes_ui(ui: &mut Ui, cx: &AppContext<'_>, rig: Option<Rig>) {
         };
         format!("{}{sigma} {unit}", entry.text).trim_end().to_owned()
     };
-    let keys = Rig::KEYS.into_iter().filter(|key| key.section.is_some());
-    let mut changes: Vec<String> = keys
+    let mut changes: Vec<String> = Rig::shared()
         .map(|key| (key, written(key, before), written(key, &after)))
         .filter(|(_, before, after)| before != after)
         .map(|(key, before, after)| format!("{}: {before} → {after}", key.symbol))

@@ -73,15 +73,9 @@ impl Rig {
         fields::ZERO,
     ];
     /// Those of them that the calculator has.
-    const SHARED: [Key; 7] = [
-        fields::FOCAL_LENGTH,
-        fields::FY,
-        fields::CX,
-        fields::CY,
-        fields::BASELINE,
-        fields::DOFFS,
-        fields::ZERO,
-    ];
+    pub fn shared() -> impl Iterator<Item = Key> {
+        Self::KEYS.into_iter().filter(|key| key.section.is_some())
+    }
 
     /// What was chosen of files of this format, with these `names`; the unit of its baseline, where the files do not say it.
     pub fn of_calibration(choice: &Choice, format: &str, names: &[String], unit: Option<&str>) -> Self {
@@ -125,7 +119,7 @@ impl Rig {
         if !self.inputs.entry(fields::BASELINE).is_blank() {
             inputs.pair = self.inputs.pair;
         }
-        for key in Self::SHARED {
+        for key in Self::shared() {
             let entry = self.inputs.entry(key);
             if entry.is_blank() && key == fields::BASELINE {
                 continue;
@@ -136,11 +130,7 @@ impl Rig {
         }
         inputs.edited(fields::FOCAL_LENGTH);
         // What is filled in is no longer what is solved for.
-        let is_filled = |field| {
-            Self::SHARED
-                .into_iter()
-                .any(|key| key == field && !self.inputs.entry(key).is_blank())
-        };
+        let is_filled = |field| Self::shared().any(|key| key == field && !self.inputs.entry(key).is_blank());
         inputs.unknown = inputs.unknown.filter(|(_, field)| !is_filled(*field));
         inputs
     }
