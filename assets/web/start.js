@@ -209,6 +209,7 @@ function startAfresh() {
   const texts = new Set([ifAllowed(() => take(sessionStorage, key)), ifAllowed(() => take(localStorage, key))]);
   // Empty: the tab starts with nothing, whatever another has stored by then.
   ifAllowed(() => sessionStorage.setItem(key, ''));
+  ifAllowed(() => sessionStorage.removeItem(RESTARTED));
   ifAllowed(() => {
     // Nothing that was set aside before is overwritten. Now that the texts are taken there is room for them.
     for (const text of texts) {
@@ -240,7 +241,11 @@ addEventListener('pageshow', () => {
   if (isLeaving && isOver) location.reload();
   isLeaving = false;
 });
-element('reload').addEventListener('click', () => location.reload());
+element('reload').addEventListener('click', () => {
+  // Whoever asks for it begins anew, and so does what the tab may do by itself.
+  ifAllowed(() => sessionStorage.removeItem(RESTARTED));
+  location.reload();
+});
 element('afresh').addEventListener('click', startAfresh);
 globalThis.visualViewport?.addEventListener('resize', followKeyboard);
 globalThis.visualViewport?.addEventListener('scroll', followKeyboard);

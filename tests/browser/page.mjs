@@ -131,6 +131,11 @@ export class Page {
   /** Runs a script that ends in a new document, and waits until the program has drawn its first frame there. */
   async renew(script, ...values) {
     await this.run(`document.documentElement.dataset.is = 'old'; ${script}`, ...values);
+    await this.renewed();
+  }
+
+  /** Waits for the document that follows one which was marked as old, and for the program there. */
+  async renewed() {
     // While one document goes and the other comes, a browser answers with an error, or with nothing at all.
     const which = () => this.run("return document.documentElement?.dataset.is ?? 'new'").catch(() => 'none');
     await until('the next document', async () => (await which()) === 'new');
@@ -176,8 +181,11 @@ export class Page {
 
   /** Clicks one of the buttons of the page that says why the program cannot run, and waits for the program. */
   async startAgain(button) {
+    await this.run("document.documentElement.dataset.is = 'old'");
     await this.click(button);
-    await until('the program again', async () => (await this.failure()) === '' && (await this.firstFrameMs()) !== null);
+    // What the page says of the new program is its own.
+    this.mayStartAgain = false;
+    await this.renewed();
   }
 
   /** Loads the page and waits for it to say why the program cannot run. */

@@ -139,6 +139,9 @@ for (const [kind, stop] of Object.entries(STOPS)) {
     assert.equal(await page.value('Focal length (fx)'), '700', 'what was entered is there');
     await page.run(SOON + stop);
     assert.match(await until('a message', () => page.failure()), /stopped because of an error/);
+    await page.startAgain('Reload');
+    page.mayStartAgain = true;
+    await page.renew(SOON + stop);
   });
 }
 
