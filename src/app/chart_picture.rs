@@ -108,7 +108,7 @@ fn crop(window: &ColorImage, place: Rect, pixels_per_point: f32) -> Option<Color
 /// `title` as the name of a file: lower case, with hyphens.
 pub fn file_name(title: &str) -> String {
     let words = title.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
-    words.map(str::to_lowercase).collect::<Vec<_>>().join("-")
+    words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("-")
 }
 
 #[cfg(test)]

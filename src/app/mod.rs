@@ -14,6 +14,7 @@ mod dialog;
 mod import;
 mod learn;
 mod logic;
+mod menu_key;
 mod navigation;
 mod notice;
 mod opening;
@@ -90,6 +91,7 @@ impl App {
         let ctx = &cc.egui_ctx;
         theme::install(ctx);
         ctx.add_plugin(touch::Touches::default());
+        ctx.add_plugin(menu_key::MenuKey);
         ctx.add_plugin(batches::Batches::default());
         let (saved, unread) = match platform.load() {
             Ok(None) => (Saved::default(), None),

@@ -51,6 +51,7 @@ fn rows() -> Vec<(String, String)> {
         of(&[Command::SaveReport]),
         of(&[Command::OpenFiles]),
         of(&Screen::ALL.map(Command::Show)),
+        keys("Shift + F10", "The menu of what has the focus: of a chart, to save it"),
         keys("Esc", "Close what is open: a list, a menu, a dialog"),
         of(&[Command::ShowDialog(Some(Dialog::Keys))]),
     ];

@@ -143,7 +143,7 @@ impl Between {
             .enumerate()
         {
             let line = if place == 0 {
-                format!("{value} ({})\n", what.to_lowercase())
+                format!("{value} ({})\n", what.to_ascii_lowercase())
             } else {
                 format!("  {what}: {value}\n")
             };

@@ -40,7 +40,7 @@ pub(super) fn page() -> std::io::Result<String> {
     ] {
         let sections = of_command(&root, name, more)?;
         let sections = String::from_utf8_lossy(&sections).replace(".SH ", ".SS ");
-        page.extend_from_slice(format!(".SH {}\n{sections}", name.to_uppercase()).as_bytes());
+        page.extend_from_slice(format!(".SH {}\n{sections}", name.to_ascii_uppercase()).as_bytes());
     }
     sections(&COMPLETIONS_HELP.replace("Examples:", "Completions:")).to_writer(&mut page)?;
     top.render_version_section(&mut page)?;
@@ -70,7 +70,7 @@ fn synopsis(root: &Command) -> String {
 fn call(command: &Command) -> String {
     let values: String = command
         .get_positionals()
-        .map(|value| format!(" <{}>", value.get_id().as_str().to_uppercase()))
+        .map(|value| format!(" <{}>", value.get_id().as_str().to_ascii_uppercase()))
         .collect();
     let has_options = command.get_opts().next().is_some();
     format!("{}{}{values}", command.get_name(), if has_options { " [OPTIONS]" } else { "" })
@@ -100,7 +100,10 @@ fn sections(help: &str) -> Roff {
     let mut roff = Roff::new();
     for block in help.split("\n\n") {
         let title = block.lines().next().and_then(|line| line.strip_suffix(':'));
-        roff.control(if title.is_some() { "SH" } else { "PP" }, title.map(str::to_uppercase).as_deref());
+        roff.control(
+            if title.is_some() { "SH" } else { "PP" },
+            title.map(str::to_ascii_uppercase).as_deref(),
+        );
         let lines = block.lines().skip(usize::from(title.is_some()));
         roff.control("nf", []);
         for line in lines {

@@ -105,7 +105,7 @@ impl Step {
         let mut text = String::new();
         for (place, (what, value)) in lines.into_iter().enumerate() {
             let indent = if place == 0 { "" } else { "  " };
-            text.push_str(&format!("{indent}{value} ({})\n", what.to_lowercase()));
+            text.push_str(&format!("{indent}{value} ({})\n", what.to_ascii_lowercase()));
         }
         for remark in remarks {
             text.push_str(&format!("  {remark}\n"));

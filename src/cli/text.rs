@@ -93,7 +93,7 @@ fn of_method(style: Style, assessment: &Assessment, method: Method, unit: Length
     {
         below.push(format!("{WITHOUT_TILT}: {}", style.length(Some(facing), unit)));
     }
-    let first = format!("{value} ({})", method.name().to_lowercase());
+    let first = format!("{value} ({})", method.name().to_ascii_lowercase());
     Some(std::iter::once(first).chain(indented(below)).collect())
 }
 

@@ -39,12 +39,16 @@ fn give_picture(program: &mut Program) -> Option<bool> {
 }
 
 fn ask_for_picture(program: &mut Program) {
+    ask_for_menu(program);
+    program.harness.get_by_label("Save as PNG").click();
+}
+
+fn ask_for_menu(program: &mut Program) {
     program.harness.get_by_role_and_label(Role::Image, CURVE).scroll_to_me();
     program.harness.run();
     // Beside the point that can be moved, which may be in the middle.
     let pos = program.harness.get_by_role_and_label(Role::Image, CURVE).rect().center() + vec2(100.0, 40.0);
     right_click(program, pos);
-    program.harness.get_by_label("Save as PNG").click();
 }
 
 fn right_click(program: &mut Program, pos: egui::Pos2) {
@@ -83,6 +87,34 @@ fn a_chart_has_its_menu_on_the_points_that_can_be_moved_too() {
         program.harness.key_press(Key::Escape);
         program.harness.run();
     }
+}
+
+#[test]
+fn the_menu_key_opens_the_menu_of_a_chart_and_the_focus_goes_into_it_and_back() {
+    let mut program = Program::new();
+    program.two_distances();
+    for point in ["Disparity of the point, in pixels", "Data cursor: Stereo against monocular"] {
+        program.harness.get_by_role_and_label(Role::Slider, point).scroll_to_me();
+        program.harness.get_by_role_and_label(Role::Slider, point).focus();
+        program.harness.run();
+        program.harness.key_press_modifiers(Modifiers::SHIFT, Key::F10);
+        program.harness.run();
+        assert!(program.harness.query_by_label("Save as PNG").is_some(), "{point}");
+        assert_eq!(program.focused(), "Save as PNG");
+        program.harness.key_press(Key::Escape);
+        program.harness.run();
+        assert!(program.harness.query_by_label("Save as PNG").is_none());
+        assert_eq!(program.focused(), point);
+    }
+    program.harness.key_press_modifiers(Modifiers::SHIFT, Key::F10);
+    program.harness.run();
+    program.harness.key_press(Key::Enter);
+    assert_eq!(give_picture(&mut program), Some(false));
+    // Opened by the pointer, it takes the focus from nothing.
+    program.harness.run();
+    ask_for_menu(&mut program);
+    assert!(program.harness.query_by_label("Save as PNG").is_some());
+    assert_ne!(program.focused(), "Save as PNG");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::machine::Machine;
 use crate::program::{B, D, DESKTOP, FX, PHONE, Program, W_IMG, W_REAL};
-use egui::accesskit::Role;
+use egui::accesskit::{Action, Role};
 use egui::{Key, Modifiers, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
@@ -128,6 +128,35 @@ fn the_point_on_the_curve_follows_the_arrow_keys() {
     program.harness.key_press(Key::ArrowRight);
     program.harness.run();
     assert_eq!(program.value(D), "51");
+}
+
+#[test]
+fn charts_are_read_by_a_cursor_with_keys_and_are_no_stops_themselves() {
+    let mut program = Program::new();
+    program.two_distances();
+    program.harness.run_steps(60);
+    let charts: Vec<bool> = program
+        .harness
+        .get_all_by_role(Role::Image)
+        .map(|chart| chart.accesskit_node().data().supports_action(Action::Focus))
+        .collect();
+    assert!(charts.len() >= 3 && !charts.contains(&true), "{charts:?}");
+    let name = "Data cursor: Stereo against monocular";
+    let value = |program: &Program| program.harness.get_by_role_and_label(Role::Slider, name).value().unwrap();
+    assert!(value(&program).starts_with("Stereo, "), "{}", value(&program));
+    program.harness.get_by_role_and_label(Role::Slider, name).focus();
+    program.harness.run();
+    for (key, row) in [
+        (Key::ArrowUp, "Stereo"),
+        (Key::ArrowDown, "Monocular"),
+        (Key::ArrowDown, "Combined"),
+        (Key::ArrowDown, "Combined"),
+        (Key::ArrowUp, "Monocular"),
+    ] {
+        program.harness.key_press(key);
+        program.harness.run();
+        assert!(value(&program).starts_with(row), "{} after {key:?}", value(&program));
+    }
 }
 
 #[test]

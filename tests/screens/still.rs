@@ -127,6 +127,10 @@ fn moved(before: &BTreeMap<NodeId, Thing>, after: &BTreeMap<NodeId, Thing>) -> V
 fn is_in_place(old: &Thing, new: &Thing) -> bool {
     let differs = |a: f32, b: f32| (a - b).abs() > ROUNDING;
     let (was, is) = (old.rect, new.rect);
+    // A picture is as high as it has rows.
+    if old.role == Role::Image {
+        return !differs(was.left(), is.left()) && !differs(was.top(), is.top()) && !differs(was.right(), is.right());
+    }
     if differs(was.center().y, is.center().y) {
         return false;
     }

@@ -249,7 +249,7 @@ fn own_file(one: &Crate, names: &[&str], will_do: impl Fn(&str) -> bool) -> Opti
     let is_named = |file: &&PathBuf| {
         let name = file
             .file_name()
-            .map(|name| name.to_string_lossy().to_uppercase())
+            .map(|name| name.to_string_lossy().to_ascii_uppercase())
             .unwrap_or_default();
         names.iter().any(|start| name.starts_with(start))
     };

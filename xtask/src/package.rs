@@ -75,7 +75,7 @@ fn folders() -> Result<[(Option<PathBuf>, &'static str); 3], String> {
 
 fn build(triple: &str) -> Result<PathBuf, String> {
     let flags = nameless(&folders()?).ok_or("A folder's name has a space in it, which cargo cannot remap: build in another folder.")?;
-    let variable = format!("CARGO_TARGET_{}_RUSTFLAGS", triple.to_uppercase().replace('-', "_"));
+    let variable = format!("CARGO_TARGET_{}_RUSTFLAGS", triple.to_ascii_uppercase().replace('-', "_"));
     let mut build = cargo(&["build", "--release", "--locked", "--package", NAME, "--target", triple]);
     build.env(variable, flags);
     if let Some(commit) = commit() {

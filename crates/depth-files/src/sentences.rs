@@ -152,8 +152,9 @@ pub(crate) fn in_one_line(text: &str) -> String {
 /// With a capital letter.
 fn upper(text: &str) -> String {
     let mut all = text.chars();
-    all.next()
-        .map_or_else(String::new, |first| first.to_uppercase().chain(all).collect())
+    all.next().map_or_else(String::new, |first| {
+        std::iter::once(first.to_ascii_uppercase()).chain(all).collect()
+    })
 }
 
 /// A number without what the computer’s arithmetic added to it.

@@ -83,9 +83,9 @@ fn differences(found: &Found, case: &Value) -> Vec<String> {
 
 /// Whether one of these words is in a text, or none is asked for.
 fn says_one_of(text: &str, words: &Value) -> bool {
-    let lower = text.to_lowercase();
+    let lower = text.to_ascii_lowercase();
     let all = words.as_array();
-    all.is_none_or(|all| all.iter().any(|word| lower.contains(&word.as_str().unwrap().to_lowercase())))
+    all.is_none_or(|all| all.iter().any(|word| lower.contains(&word.as_str().unwrap().to_ascii_lowercase())))
 }
 
 fn judge(answer: &Result<Found, Refusal>, case: &Value) -> Vec<String> {

@@ -265,7 +265,7 @@ impl FieldSpec {
     pub fn shows_symbol(&self) -> bool {
         !self.symbol.is_empty()
             && self.section.is_some() | (self.key == "distance")
-            && !(self.symbol.len() > 2 && self.label.to_lowercase().contains(self.symbol))
+            && !(self.symbol.len() > 2 && self.label.to_ascii_lowercase().contains(self.symbol))
     }
 
     /// The unit symbol of a bare number: "px", or empty.

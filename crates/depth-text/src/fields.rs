@@ -691,7 +691,7 @@ mod tests {
                 );
             }
             assert!(
-                !key.hint.ends_with('.') && !key.hint.to_lowercase().starts_with(&key.label.to_lowercase()),
+                !key.hint.ends_with('.') && !key.hint.to_ascii_lowercase().starts_with(&key.label.to_ascii_lowercase()),
                 "{key:?}"
             );
         }

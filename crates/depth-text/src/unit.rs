@@ -29,7 +29,7 @@ impl Unit {
     pub fn named(word: &str, primes_are_angles: bool) -> Option<Self> {
         use AngleUnit::{Arcminute, Arcsecond, Degree, Milliradian, MinuteOfAngle, NatoMil, Radian};
         use LengthUnit::{Centimeter, Foot, Inch, Kilometer, Meter, Micrometer, Mile, Millimeter, Nanometer, Yard};
-        let word = word.to_lowercase();
+        let word = word.to_ascii_lowercase();
         let either = |angle, length| {
             if primes_are_angles {
                 Self::Angle(angle)

@@ -63,6 +63,10 @@ pub(crate) fn route(kind: Kind, key: &str, modifiers: Modifiers, is_shortcut: bo
     ) {
         return Route::Browser;
     }
+    // A browser says afterwards that a menu is asked for, as for the key of menus.
+    if key == "F10" && modifiers.shift {
+        return Route::Browser;
+    }
     let is_function_key = key.len() > 1 && key.starts_with('F') && key.get(1..).is_some_and(|n| n.parse::<u8>().is_ok());
     // With Alt some browsers would write the letter into a field.
     let is_written = kind.is_text() && modifiers.alt && !modifiers.ctrl && !modifiers.mac_cmd && key.chars().count() == 1;

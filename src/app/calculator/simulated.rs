@@ -17,7 +17,7 @@ use depth_text::report;
 use depth_text::report::strip::Mode;
 use depth_text::sentences::percent;
 use depth_text::style::Style;
-use egui::{Key, Sense, Ui, vec2};
+use egui::{Sense, Ui, vec2};
 
 /// Draws the card of each method that is simulated.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, simulations: &Simulations) {
@@ -116,7 +116,7 @@ fn histogram_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (method, distribution): (M
         return;
     };
     let size = vec2(ui.available_width(), theme::HISTOGRAM_HEIGHT);
-    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let (rect, response) = ui.allocate_exact_size(size, Sense::CLICK);
     let drawn = histogram.layout(size.x, size.y, &figure::Fonts(ui.painter()));
     figure::paint(ui, &drawn.figure, rect.min);
     let title = Card::Simulation(method).title();
@@ -133,5 +133,5 @@ fn histogram_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (method, distribution): (M
         at: rect.min + vec2(bar.top.x, bar.top.y),
         lines: bar.tip.iter().map(|line| Words::new(line.as_str(), Ink::Text)).collect(),
     });
-    tip::stops_ui(ui, &response, [Key::ArrowRight, Key::ArrowLeft], stops.collect());
+    tip::cursor_ui(ui, &response, title, tip::Start::First, stops.collect());
 }

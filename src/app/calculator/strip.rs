@@ -12,7 +12,7 @@ use depth_text::report::Tone;
 use depth_text::report::strip::{Badge, Cell, Line, Part, Quality, Value};
 use depth_text::sentences::lower;
 use egui::text::{LayoutJob, TextFormat};
-use egui::{Align, Color32, Label, Layout, Popup, Rect, Response, Sense, Stroke, Ui, UiBuilder, accesskit::Role, pos2, vec2};
+use egui::{Align, Color32, Label, Layout, Rect, Response, Sense, Stroke, Ui, UiBuilder, accesskit::Role, pos2, vec2};
 use std::fmt::Debug;
 use std::hash::Hash;
 
@@ -212,15 +212,14 @@ impl CellView<'_> {
 
 /// The menu of a result: to copy it.
 fn result_menu_ui(response: &Response, number: &str, whole: &str, cx: &mut AppContext<'_>) {
-    Popup::context_menu(response).show(|ui| {
-        menu::style(ui);
-        if menu::item_ui(ui, "Copy value", true) {
+    menu::context_ui(response, |items| {
+        if items.item_ui("Copy value", true) {
             cx.commands.push(Command::Copy(Copyable::Value(number.to_owned())));
         }
-        if menu::item_ui(ui, "Copy with unit", true) {
+        if items.item_ui("Copy with unit", true) {
             cx.commands.push(Command::Copy(Copyable::Value(whole.to_owned())));
         }
-        if menu::item_ui(ui, "Copy all", true) {
+        if items.item_ui("Copy all", true) {
             cx.commands.push(Command::Copy(Copyable::Results));
         }
     });

@@ -328,7 +328,7 @@ fn changes_ui(ui: &mut Ui, cx: &AppContext<'_>, rig: Option<Rig>) {
         .map(|(key, before, after)| format!("{}: {before} → {after}", key.symbol))
         .collect();
     if before.pair != after.pair {
-        changes.push(format!("cameras: {}", after.pair.name().to_lowercase()));
+        changes.push(format!("cameras: {}", after.pair.name().to_ascii_lowercase()));
     }
     let words = if changes.is_empty() {
         "In the calculator nothing would change.".to_owned()

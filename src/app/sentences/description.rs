@@ -135,7 +135,7 @@ impl Display for TopView<'_> {
         write!(f, "; the object {distance} away")?;
         match origin {
             Some(Origin::Combined) => f.write_str(" by both methods combined")?,
-            Some(Origin::Method(method)) => write!(f, " by {}", method.name().to_lowercase())?,
+            Some(Origin::Method(method)) => write!(f, " by {}", method.name().to_ascii_lowercase())?,
             None => {}
         }
         match interval {

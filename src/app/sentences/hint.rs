@@ -157,7 +157,7 @@ fn write_field(f: &mut Formatter<'_>, key: Key, unit: Option<LengthUnit>) -> fmt
     } else {
         format!("{}.", key.hint)
     };
-    let is_said = unit.is_empty() || hint.to_lowercase().contains(&in_unit.to_lowercase());
+    let is_said = unit.is_empty() || hint.to_ascii_lowercase().contains(&in_unit.to_ascii_lowercase());
     match (hint.is_empty(), is_said) {
         (_, true) => f.write_str(&hint),
         (true, false) => f.write_str(&in_unit),

@@ -1,17 +1,51 @@
 //! Menus and lists that open: their entries, and the keys that lead to and through them.
 
-use crate::app::theme;
+use crate::app::{menu_key, theme};
 use egui::{AsIdSalt, Button, ComboBox, Event, EventFilter, Id, IdSalt, Key, Modifiers, Popup, Response, Ui, vec2};
 
 /// Makes `ui` the inside of a menu.
-pub fn style(ui: &mut Ui) {
+fn style(ui: &mut Ui) {
     ui.set_min_width(theme::MENU_WIDTH);
     ui.spacing_mut().item_spacing.y = 0.0;
 }
 
-/// An entry named `name`, which closes the menu. Returns whether it was chosen.
-pub fn item_ui(ui: &mut Ui, name: &str, is_enabled: bool) -> bool {
-    entry_ui(ui, Button::new(name).frame_when_inactive(false), is_enabled).clicked()
+/// The entries of a menu, while they are drawn.
+pub struct Items<'a> {
+    pub ui: &'a mut Ui,
+    drawn: Entries,
+}
+
+impl Items<'_> {
+    /// An entry named `name`, which closes the menu. Returns whether it was chosen.
+    pub fn item_ui(&mut self, name: &str, is_enabled: bool) -> bool {
+        let response = entry_ui(self.ui, Button::new(name).frame_when_inactive(false), is_enabled);
+        if is_enabled {
+            self.drawn.add(&response, name, false);
+        }
+        response.clicked()
+    }
+}
+
+/// The menu that `owner` opens where it is right-clicked, pressed for long, or has the focus with the menu key pressed: with the entries
+/// that `add` draws. Opened by the key, it has the focus while it is open.
+pub fn context_ui(owner: &Response, add: impl FnOnce(&mut Items<'_>)) {
+    let ctx = &owner.ctx;
+    let is_drawn = Popup::context_menu(owner).show(|ui| {
+        style(ui);
+        let mut items = Items {
+            ui,
+            drawn: Entries::default(),
+        };
+        add(&mut items);
+        // Whatever a click is not on gives the focus away again while it is heard.
+        if menu_key::opened_from(ctx).is_some() && !ctx.input(|input| input.pointer.any_click()) {
+            items.drawn.lead_focus(items.ui, owner.id);
+        }
+    });
+    let was_drawn = || ctx.data(|data| data.get_temp::<Vec<Id>>(drawn_key(owner.id)).is_some());
+    if is_drawn.is_none() && was_drawn() {
+        take_focus_back(owner, menu_key::opened_from(ctx).unwrap_or(owner.id));
+    }
 }
 
 fn entry_ui(ui: &mut Ui, button: Button<'_>, is_enabled: bool) -> Response {
@@ -46,7 +80,7 @@ pub fn ui(owner: &Response, height: f32, entries: &[(&str, Option<bool>)]) -> Op
         drawn.lead_focus(ui, owner.id);
         chosen
     });
-    take_focus_back(owner);
+    take_focus_back(owner, owner.id);
     shown.and_then(|shown| shown.inner)
 }
 
@@ -91,7 +125,7 @@ impl List<'_> {
             })
             .response
             .accessible_name(self.name);
-        take_focus_back(&response);
+        take_focus_back(&response, response.id);
         let now = now.or_else(|| self.chosen_by_keys(ui, &response));
         (response, now)
     }
@@ -113,7 +147,7 @@ impl List<'_> {
             return None;
         }
         let letter = typed_letter(ui)?;
-        let names: Vec<String> = self.names.iter().map(|name| name.to_lowercase()).collect();
+        let names: Vec<String> = self.names.iter().map(|name| name.to_ascii_lowercase()).collect();
         next_with(&letter, &names, self.chosen.unwrap_or(names.len().saturating_sub(1)))
     }
 }
@@ -135,7 +169,7 @@ impl Entries {
             self.chosen = self.ids.len();
         }
         self.ids.push(entry.id);
-        self.names.push(name.to_lowercase());
+        self.names.push(name.to_ascii_lowercase());
     }
 
     /// Puts the focus on the chosen entry when the list of `owner` has just opened, and leads it through the entries by the arrow keys,
@@ -179,8 +213,8 @@ impl Entries {
     }
 }
 
-/// Gives the focus back to `owner` when its list has closed, unless it is elsewhere by now.
-fn take_focus_back(owner: &Response) {
+/// Gives the focus back to `to` when the list of `owner` has closed, unless it is elsewhere by now.
+fn take_focus_back(owner: &Response, to: Id) {
     let ctx = &owner.ctx;
     if Popup::is_id_open(ctx, Popup::default_response_id(owner)) || ComboBox::is_open(ctx, owner.id) {
         return;
@@ -190,7 +224,7 @@ fn take_focus_back(owner: &Response) {
         return;
     };
     if ctx.memory(|memory| memory.focused()).is_none_or(|focused| drawn.contains(&focused)) {
-        owner.request_focus();
+        ctx.memory_mut(|memory| memory.request_focus(to));
     }
 }
 
@@ -215,7 +249,7 @@ fn keep_arrows(ui: &Ui, id: Id) {
 fn typed_letter(ui: &Ui) -> Option<String> {
     ui.input(|input| {
         input.events.iter().find_map(|event| match event {
-            Event::Text(text) if text.chars().all(char::is_alphabetic) => Some(text.to_lowercase()),
+            Event::Text(text) if text.chars().all(char::is_alphabetic) => Some(text.to_ascii_lowercase()),
             _ => None,
         })
     })

@@ -14,6 +14,9 @@ pub fn describe(ui: &Ui, response: &Response, name: &str, description: &impl Dis
         node.set_role(Role::Image);
         node.set_label(name);
         node.set_description(description.to_string());
+        // egui says it of what can have the focus.
+        let [min, max] = [response.rect.min, response.rect.max];
+        node.set_bounds(egui::accesskit::Rect::new(min.x.into(), min.y.into(), max.x.into(), max.y.into()));
     });
 }
 

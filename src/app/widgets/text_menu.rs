@@ -2,9 +2,9 @@
 
 use super::menu;
 use crate::app::command::Command;
+use egui::Response;
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
-use egui::{Popup, Response};
 
 /// Shows the menu of the field `response`, whose text is `text`, while it is open.
 pub fn ui(response: &Response, text: &mut String, commands: &mut Vec<Command>) {
@@ -15,8 +15,7 @@ pub fn ui(response: &Response, text: &mut String, commands: &mut Vec<Command>) {
         sorted.start.0..sorted.end.0
     });
     let selection = selected.filter(|range| !range.is_empty());
-    Popup::context_menu(response).show(|ui| {
-        menu::style(ui);
+    menu::context_ui(response, |items| {
         let taken = |text: &str| -> String {
             match &selection {
                 Some(range) => text.chars().skip(range.start).take(range.len()).collect(),
@@ -24,27 +23,27 @@ pub fn ui(response: &Response, text: &mut String, commands: &mut Vec<Command>) {
             }
         };
         let has_text = !text.is_empty();
-        if menu::item_ui(ui, "Cut", has_text) {
-            ui.copy_text(taken(text));
+        if items.item_ui("Cut", has_text) {
+            items.ui.copy_text(taken(text));
             *text = match &selection {
                 Some(range) => text.chars().take(range.start).chain(text.chars().skip(range.end)).collect(),
                 None => String::new(),
             };
             commands.push(Command::Settle);
         }
-        if menu::item_ui(ui, "Copy", has_text) {
-            ui.copy_text(taken(text));
+        if items.item_ui("Copy", has_text) {
+            items.ui.copy_text(taken(text));
         }
-        if menu::item_ui(ui, "Paste", true) {
+        if items.item_ui("Paste", true) {
             response.request_focus();
             commands.push(Command::Paste);
         }
-        if menu::item_ui(ui, "Select all", has_text) {
+        if items.item_ui("Select all", has_text) {
             response.request_focus();
             let mut state = state.clone().unwrap_or_default();
             let all = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));
             state.cursor.set_char_range(Some(all));
-            state.store(ui.ctx(), response.id);
+            state.store(items.ui.ctx(), response.id);
         }
     });
 }

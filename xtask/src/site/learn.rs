@@ -111,7 +111,7 @@ impl Writer {
 
     /// A heading's words joined by hyphens; counted where two headings have the same.
     fn new_id(&mut self, text: &str) -> String {
-        let lower_case = text.to_lowercase();
+        let lower_case = text.to_ascii_lowercase();
         let words: Vec<&str> = lower_case
             .split(|c: char| !c.is_alphanumeric())
             .filter(|word| !word.is_empty())

@@ -67,7 +67,7 @@ pub(super) fn choose(words: &[String], available: &Available<'_>) -> Result<Choi
 fn meaning<'a>(word: &str, parts: &[Part], available: &Available<'a>) -> Result<Meaning<'a>, String> {
     let rust = parts.is_empty() || parts.contains(&Part::Rust);
     let browser = parts.is_empty() || parts.iter().any(|part| matches!(part, Part::Browser(_)));
-    let lower = word.to_lowercase();
+    let lower = word.to_ascii_lowercase();
     if let Some(target) = available.targets.iter().find(|target| rust && **target == lower) {
         return Ok(Meaning::RustFile(target));
     }
@@ -76,7 +76,7 @@ fn meaning<'a>(word: &str, parts: &[Part], available: &Available<'a>) -> Result<
     let named = available
         .tests
         .iter()
-        .filter(|(_, name)| browser && name.to_lowercase().contains(&lower));
+        .filter(|(_, name)| browser && name.to_ascii_lowercase().contains(&lower));
     let tests: Vec<&BrowserTest> = in_file.chain(named).collect();
     if !tests.is_empty() {
         Ok(Meaning::BrowserTests(tests))

@@ -49,10 +49,19 @@ const UNUSED: &[&[&str]] = &[
     &["8dispatch15single_threaded", "10Dispatcher11stroke_path"],
     &["5kurbo6offset", "11CubicOffset10offset_rec"],
     &["5kurbo6offset", "12offset_cubic"],
+    // There are no gradients, no filters, and nobody prints what draws the letters for a debugger. 20 kB.
+    &["8dispatch15single_threaded", "24SingleThreadedDispatcher", "5Debug3fmt"],
+    &["5color7dynamic", "12DynamicColor7convert"],
+    &["21spec_from_iter_nested", "12encode_stops"],
+    &["9vello_cpu6filter5shift", "13offset_pixels"],
+    &["12vello_common6filter", "14PreparedFilter3new"],
     // The fonts, which come with the program, have TrueType outlines without instructions: no PostScript, no variable components, no
     // bytecode, and no tables of Apple's. 25 kB.
     &["10read_fonts2ps2cs", "17evaluate_operator"],
     &["6skrifa7outline3cff", "7subfont"],
+    &["6skrifa7outline3cff", "8Outlines4draw"],
+    &["6skrifa7outline3cff", "7TopDict3new"],
+    &["6skrifa7outline4varc", "30max_component_memory_for_glyph"],
     &["6skrifa7outline4varc", "10draw_glyph"],
     &["6skrifa7outline4glyf4hint6engine", "14dispatch_inner"],
     &["8harfrust2hb3aat6layout", "10substitute"],
@@ -85,6 +94,8 @@ const UNSEEN: &[&[&str]] = &[
     &["8harfrust2hb16ot_shaper_arabic", "21arabic_fallback_shape"],
     &["8harfrust2hb16ot_shaper_arabic", "25postprocess_glyphs_arabic"],
     &["8harfrust2hb16ot_shaper_arabic", "20reorder_marks_arabic"],
+    // Signs that stand above or below others come in clusters with these. One that stands alone is drawn too. 8 kB.
+    &["6epaint4text7unicode", "17is_combining_mark"],
 ];
 
 /// `module` with an instruction that traps in place of what [`UNUSED`] names, nothing in place of what [`UNSEEN`] names, and neither the

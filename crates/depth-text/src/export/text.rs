@@ -76,8 +76,8 @@ fn details(inputs: &Inputs, assessment: &Assessment, unit: LengthUnit) -> Vec<St
 
 /// What was chosen otherwise than usual: "Cameras: one above the other".
 fn choices(inputs: &Inputs) -> impl Iterator<Item = String> {
-    let pair = (inputs.pair != Pair::default()).then(|| format!("Cameras: {}", inputs.pair.name().to_lowercase()));
-    let object = (inputs.object != Object::default()).then(|| format!("Measured: {}", inputs.object.name().to_lowercase()));
+    let pair = (inputs.pair != Pair::default()).then(|| format!("Cameras: {}", inputs.pair.name().to_ascii_lowercase()));
+    let object = (inputs.object != Object::default()).then(|| format!("Measured: {}", inputs.object.name().to_ascii_lowercase()));
     pair.into_iter().chain(object)
 }
 

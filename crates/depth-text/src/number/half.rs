@@ -44,7 +44,7 @@ fn is_beginning_of_unit(word: &str) -> bool {
         "arcminutes",
         "squares",
     ];
-    let word = word.to_lowercase();
+    let word = word.to_ascii_lowercase();
     UNITS.iter().any(|unit| unit.len() > word.len() && unit.starts_with(&word))
 }
 

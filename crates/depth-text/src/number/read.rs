@@ -61,7 +61,7 @@ fn checked(typed: Typed) -> Result<Typed, NumberError> {
 
 /// The unit that `word` names, or squares of a board with their size.
 fn unit(word: &str, primes: Primes) -> Option<Unit> {
-    match words_after_squares(&word.to_lowercase()) {
+    match words_after_squares(&word.to_ascii_lowercase()) {
         Some(size) => square(size),
         None => Unit::named(word, primes == Primes::Arcminutes),
     }

@@ -78,7 +78,7 @@ impl Display for CommandLine {
             Self::NoDistance { ways } => {
                 let ways: Vec<String> = ways
                     .iter()
-                    .map(|(options, method)| format!("{} for the {} distance", enumerated(options), method.to_lowercase()))
+                    .map(|(options, method)| format!("{} for the {} distance", enumerated(options), method.to_ascii_lowercase()))
                     .collect();
                 incomplete(f, "No distance can be computed.", &ways.join(", or "))
             }

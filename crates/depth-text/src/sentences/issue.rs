@@ -150,7 +150,7 @@ impl Display for Issue {
                 f,
                 "{} is missing for the {} distance. {}",
                 capital(key.noun),
-                method.name().to_lowercase(),
+                method.name().to_ascii_lowercase(),
                 what_to_type(*key)
             ),
             Self::RangeContradicts { times, is_given } => write!(

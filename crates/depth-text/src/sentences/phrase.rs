@@ -156,8 +156,8 @@ impl Display for Phrase {
             }
             Self::NeedsSigmas => f.write_str("needs ± in both"),
             Self::HowToJudge => f.write_str("Add ± to both to see if they agree"),
-            Self::OneIsMissing { missing } => write!(f, "Needs both distances; {} is missing.", missing.name().to_lowercase()),
-            Self::StandsAlone { method } => write!(f, "Until then {} stands alone.", method.name().to_lowercase()),
+            Self::OneIsMissing { missing } => write!(f, "Needs both distances; {} is missing.", missing.name().to_ascii_lowercase()),
+            Self::StandsAlone { method } => write!(f, "Until then {} stands alone.", method.name().to_ascii_lowercase()),
 
             Self::AloneSoFar { method } => write!(f, "{} stands alone so far", method.name()),
             Self::ToCheckIt { needs } => write!(f, "To check it, enter {}", needs.trim_start_matches("needs ")),

@@ -23,6 +23,8 @@ fn tab_and_the_keys_of_the_browser_stay_with_the_browser() {
     for kind in kinds {
         assert_eq!(route(kind, "Tab", Modifiers::NONE, false), Route::Browser);
         assert_eq!(route(kind, "Tab", Modifiers::SHIFT, false), Route::Browser);
+        // It asks for a menu a moment later.
+        assert_eq!(route(kind, "F10", Modifiers::SHIFT, false), Route::Browser);
         for key in ["f", "r", "l", "t", "+", "-", "0", "F5", "F12"] {
             let modifiers = if key.starts_with('F') { Modifiers::NONE } else { ctrl };
             assert_ne!(route(kind, key, modifiers, false), Route::Egui { only: true }, "{kind:?} {key}");

@@ -33,6 +33,8 @@ pub(crate) fn listen(dom: &Dom) -> Result<Vec<Listener>, JsValue> {
                 keyboard::pressed(event, id);
             }
         }),
+        // On the window, as a click: else a screen reader would call all in the host clickable.
+        Listener::new(&window, "contextmenu", false, keyboard::menu_asked),
         Listener::new(host, "compositionstart", false, |event| COMPOSING.set(target(event))),
         Listener::new(host, "compositionend", false, |event| {
             COMPOSING.set(None);

@@ -7,6 +7,7 @@ use web_sys::{Element, Event, KeyboardEvent};
 use super::dom::Dom;
 use super::installed::with;
 use super::signals::{act, send};
+use crate::element::node_id;
 use crate::keys::{self, Direction, Route};
 use crate::roles::Kind;
 
@@ -56,6 +57,26 @@ pub(crate) fn pressed(event: &Event, id: NodeId) {
     });
 }
 
+/// The menu of an element is asked for, with the keys of menus or by assistive technology: the pointer meets the canvas. A field has
+/// the browser's own menu.
+pub(crate) fn menu_asked(event: &Event) {
+    let Some(place) = event.target().and_then(|target| target.dyn_into::<Element>().ok()) else {
+        return;
+    };
+    let _ = with(|mirror| {
+        let dom = &mirror.dom;
+        let is_text = |id| dom.page().get(id).is_none_or(|element| element.kind.is_text());
+        let Some(id) = node_id(&place.id()).filter(|id| dom.is_in_mirror(&place) && !is_text(*id)) else {
+            return;
+        };
+        event.prevent_default();
+        if dom.coming_focus() != Some(id) {
+            act(dom.ctx(), id, Action::Focus, None);
+        }
+        stroke(dom.ctx(), egui::Key::F10, None, egui::Modifiers::SHIFT);
+    });
+}
+
 /// Presses and releases a key in egui. The release is not waited for: it may happen on another element.
 fn press(ctx: &egui::Context, event: &KeyboardEvent, modifiers: egui::Modifiers, kind: Kind) {
     let physical_key = egui::Key::from_name(event.code().trim_start_matches("Key").trim_start_matches("Digit"));
@@ -66,11 +87,15 @@ fn press(ctx: &egui::Context, event: &KeyboardEvent, modifiers: egui::Modifiers,
         send(ctx, [egui::Event::Text(name.clone())]);
     }
     let Some(key) = egui::Key::from_name(&name)
-        .or_else(|| egui::Key::from_name(&name.to_uppercase()))
+        .or_else(|| egui::Key::from_name(&name.to_ascii_uppercase()))
         .or(physical_key)
     else {
         return;
     };
+    stroke(ctx, key, physical_key, modifiers);
+}
+
+fn stroke(ctx: &egui::Context, key: egui::Key, physical_key: Option<egui::Key>, modifiers: egui::Modifiers) {
     let stroke = |pressed| egui::Event::Key {
         key,
         physical_key,

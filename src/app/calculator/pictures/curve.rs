@@ -56,7 +56,7 @@ impl CurveCard {
         };
         let size = cards::inner_size(ui, height);
         frame.ui(ui, card, |ui| {
-            let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+            let (rect, response) = ui.allocate_exact_size(size, Sense::CLICK);
             let axes = self.axes_of(ui, &model);
             let bare = model.layout(
                 size.x,

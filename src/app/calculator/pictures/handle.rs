@@ -32,7 +32,18 @@ pub struct Slider<'a> {
 /// The handle `id` at `at`, as large as a finger.
 pub fn ui(ui: &Ui, id: Id, at: Pos2, slider: &Slider<'_>) -> Handle {
     let target = Rect::from_center_size(at, Vec2::splat(theme::CONTROL_HEIGHT_TOUCH));
-    let response = ui.interact(target, id, Sense::click_and_drag());
+    let mut handle = sensed(ui, id, target, Sense::click_and_drag(), slider);
+    handle.response = handle.response.on_hover_cursor(CursorIcon::Grab);
+    handle
+}
+
+/// The cursor `id` at `target`, with which the keyboard and assistive technology read a picture: it takes nothing from the pointer.
+pub fn cursor(ui: &Ui, id: Id, target: Rect, slider: &Slider<'_>) -> Handle {
+    sensed(ui, id, target, Sense::FOCUSABLE, slider)
+}
+
+fn sensed(ui: &Ui, id: Id, target: Rect, sense: Sense, slider: &Slider<'_>) -> Handle {
+    let response = ui.interact(target, id, sense);
     response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, slider.name));
     ui.accesskit_node_builder(id, |node| {
         node.set_numeric_value(slider.value);
@@ -48,7 +59,6 @@ pub fn ui(ui: &Ui, id: Id, at: Pos2, slider: &Slider<'_>) -> Handle {
     let set_to = asked_for(ui, &response);
     let steps = steps(ui, &response);
     let dragged_to = response.dragged().then(|| response.interact_pointer_pos()).flatten();
-    let response = response.on_hover_cursor(CursorIcon::Grab);
     Handle {
         response,
         dragged_to,

@@ -7,7 +7,7 @@ use crate::app::sentences::Description;
 use crate::app::widgets::{cards, chart, figure, picture};
 use depth_figures::bars::Bars;
 use depth_figures::{Ink, Words};
-use egui::{Key, Sense, Ui, vec2};
+use egui::{Sense, Ui, vec2};
 
 /// Draws the card of both distances.
 pub fn bars_ui(ui: &mut Ui, cx: &mut AppContext<'_>, height: f32) {
@@ -38,7 +38,7 @@ fn ui_of(ui: &mut Ui, cx: &mut AppContext<'_>, (card, bars): (Card, &Bars), heig
         height: Some(height),
     };
     frame.ui(ui, card, |ui| {
-        let (rect, response) = ui.allocate_exact_size(inner, Sense::click());
+        let (rect, response) = ui.allocate_exact_size(inner, Sense::CLICK);
         figure::paint(ui, &drawn.figure, rect.min);
         picture::describe(ui, &response, card.title(), &description);
         chart::menu_ui(&response, card.title(), cx.commands);
@@ -52,6 +52,7 @@ fn ui_of(ui: &mut Ui, cx: &mut AppContext<'_>, (card, bars): (Card, &Bars), heig
                 lines: if row.tip.is_empty() { Vec::new() } else { lines },
             })
         });
-        tip::stops_ui(ui, &response, [Key::ArrowDown, Key::ArrowUp], stops.collect());
+        // Up is a step on: the first row is the highest value of the cursor.
+        tip::cursor_ui(ui, &response, card.title(), tip::Start::Last, stops.rev().collect());
     });
 }

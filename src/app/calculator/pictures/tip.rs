@@ -1,9 +1,10 @@
 //! A tip over a picture: a card with lines of text beside what is pointed at.
 
+use super::handle::{self, Slider};
 use crate::app::theme;
-use crate::app::widgets::{chart, figure, symbols};
+use crate::app::widgets::{figure, symbols};
 use depth_figures::Words;
-use egui::{Key, Pos2, Rect, Response, Stroke, StrokeKind, Ui, pos2, vec2};
+use egui::{Pos2, Rect, Response, Stroke, StrokeKind, Ui, pos2, vec2};
 
 /// Draws a tip with `lines` above `at`, or below where there is no room, inside `frame`.
 pub fn paint(ui: &Ui, frame: Rect, at: Pos2, lines: &[Words]) {
@@ -40,24 +41,62 @@ pub struct Stop {
     pub lines: Vec<Words>,
 }
 
-/// Paints the tip of the stop under the pointer, or with the keyboard of the one that the arrow keys `[on, back]` lead to.
-pub fn stops_ui(ui: &Ui, response: &Response, keys: [Key; 2], stops: Vec<Stop>) {
-    let key = response.id.with("stop");
-    let mut chosen: usize = ui.data(|data| data.get_temp(key)).unwrap_or(0);
-    if response.has_focus() {
-        chart::lock_arrows(ui, response.id);
-        let steps = chart::take_arrows(ui, keys);
-        chosen = chosen.saturating_add_signed(steps).min(stops.len().saturating_sub(1));
-        ui.data_mut(|data| data.insert_temp(key, chosen));
-    }
-    let pointer = response.hover_pos();
-    let is_shown = |(index, stop): &(usize, Stop)| {
-        let is_met = pointer.map_or(response.has_focus() && *index == chosen, |pointer| stop.hit.contains(pointer));
-        is_met && !stop.lines.is_empty()
+/// Where a cursor stands before anybody has moved it.
+#[derive(Clone, Copy)]
+pub enum Start {
+    /// On the first of its stops.
+    First,
+    /// On the last.
+    Last,
+}
+
+/// Paints the tip of the stop under the pointer, or with the keyboard of the one on which the cursor of the chart `title` stands: a
+/// slider from stop to stop, whose value is what the tip says.
+pub fn cursor_ui(ui: &Ui, response: &Response, title: &str, start: Start, mut stops: Vec<Stop>) {
+    stops.retain(|stop| !stop.lines.is_empty());
+    let Some(last) = stops.len().checked_sub(1) else { return };
+    let id = response.id.with("cursor");
+    let stands: Option<usize> = ui.data(|data| data.get_temp(id));
+    let now = stands.unwrap_or(match start {
+        Start::First => 0,
+        Start::Last => last,
+    });
+    let Some(stop) = stops.get(now.min(last)) else { return };
+    let words: Vec<String> = stop.lines.iter().map(Words::text).collect();
+    let slider = Slider {
+        name: &format!("Data cursor: {title}"),
+        value: index(now.min(last)),
+        range: [0.0, index(last)],
+        words: &words.join(", "),
     };
-    if let Some((_, stop)) = stops.into_iter().enumerate().find(is_shown) {
+    let handle = handle::cursor(ui, id, stop.hit, &slider);
+    let next = match handle.set_to {
+        Some(value) => stops
+            .iter()
+            .enumerate()
+            .map(|(at, _)| at)
+            .find(|at| index(*at) >= value.round())
+            .unwrap_or(last),
+        None => now
+            .min(last)
+            .saturating_add_signed(isize::try_from(handle.steps).unwrap_or(0))
+            .min(last),
+    };
+    if next != now {
+        ui.data_mut(|data| data.insert_temp(id, next));
+        ui.ctx().request_repaint();
+    }
+    let shown = match response.hover_pos() {
+        Some(pointer) => stops.iter().find(|stop| stop.hit.contains(pointer)),
+        None => handle.response.has_focus().then(|| stops.get(next)).flatten(),
+    };
+    if let Some(stop) = shown {
         let stroke = Stroke::new(theme::THIN_LINE, theme::palette(ui).text);
         ui.painter().circle_stroke(stop.at, theme::RING_RADIUS, stroke);
         paint(ui, response.rect, stop.at, &stop.lines);
     }
+}
+
+fn index(at: usize) -> f64 {
+    u32::try_from(at).map_or(f64::INFINITY, f64::from)
 }

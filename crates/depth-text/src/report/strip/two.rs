@@ -90,7 +90,7 @@ pub(super) fn points(shown: &Shown<'_>) -> [Cell; 3] {
 
 /// "away" for "Farther away", "right" for "To the right".
 fn short_way(name: &str) -> String {
-    name.rsplit(' ').next().unwrap_or(name).to_lowercase()
+    name.rsplit(' ').next().unwrap_or(name).to_ascii_lowercase()
 }
 
 /// The cells of a way of its own: its results, or what is missing for them.
