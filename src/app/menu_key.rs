@@ -2,7 +2,8 @@
 
 use egui::{Context, Event, Id, Key, Modifiers, Plugin, PointerButton, RawInput};
 
-/// To be added to a context before `Batches`. In a browser `egui_mirror` presses these keys for the key of menus, too.
+/// To be added to a context behind `Batches`: what has the focus is then what has it when the keys are heard. In a browser `egui_mirror`
+/// presses these keys for the key of menus, too.
 #[derive(Debug)]
 pub struct MenuKey;
 

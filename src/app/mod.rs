@@ -91,8 +91,8 @@ impl App {
         let ctx = &cc.egui_ctx;
         theme::install(ctx);
         ctx.add_plugin(touch::Touches::default());
-        ctx.add_plugin(menu_key::MenuKey);
         ctx.add_plugin(batches::Batches::default());
+        ctx.add_plugin(menu_key::MenuKey);
         let (saved, unread) = match platform.load() {
             Ok(None) => (Saved::default(), None),
             Ok(Some(text)) => match Saved::from_text(&text) {

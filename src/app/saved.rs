@@ -293,6 +293,7 @@ mod tests {
                         ..Rig::default()
                     }],
                     shown: 0,
+                    moves: 0,
                 },
             },
         };

@@ -53,6 +53,7 @@ impl App {
             Some(picture) => picture.shield_ui(ui),
             None => focus_ring(ui),
         }
+        import::drop_hint_ui(ui);
         self.queue(&ctx, commands);
     }
 

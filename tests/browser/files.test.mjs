@@ -40,16 +40,22 @@ before(async () => {
 });
 after(() => bench.close());
 
-/** Drops files, as names and texts, in the middle of the window. */
-async function drop(page, ...files) {
+/** Drags files, as names and texts, to the middle of the window: `types` are the events that this is. */
+async function drag(page, types, files) {
   await page.run(
     `const transfer = new DataTransfer();
      for (const [name, text] of arguments[0]) transfer.items.add(new File([text], name));
-     const target = document.elementFromPoint(innerWidth / 2, innerHeight / 2);
-     for (const type of ['dragenter', 'dragover', 'drop']) target.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer: transfer }));`,
+     for (const type of arguments[1]) {
+       const target = document.elementFromPoint(innerWidth / 2, innerHeight / 2);
+       target.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer: transfer }));
+     }`,
     files,
+    types,
   );
 }
+
+/** Drops files, as names and texts, in the middle of the window. */
+const drop = (page, ...files) => drag(page, ['dragenter', 'dragover', 'drop'], files);
 
 async function isDisabled(page, button) {
   const element = await page.element(button, 'button');
@@ -66,7 +72,10 @@ async function started(test) {
 
 it('a file that is dropped is shown, then used, and the distance follows', async (test) => {
   const page = await started(test);
-  await drop(page, ['whatever.bin', MIDDLEBURY]);
+  const dragged = ['whatever.bin', MIDDLEBURY];
+  await drag(page, ['dragenter', 'dragover'], [dragged]);
+  await page.says(/Drop calibration files, or saved rigs, to read them/);
+  await drag(page, ['dragover', 'drop'], [dragged]);
   await page.says(/whatever\.bin: a calib\.txt of Middlebury/);
   assert.match(await page.text(), /line 4/, 'where the baseline stands');
   assert.match(await page.text(), /nothing → 700 px/, 'nothing is applied before it is asked for');

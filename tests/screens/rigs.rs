@@ -48,6 +48,20 @@ fn a_calibration_is_shown_with_where_each_number_stands_before_anything_changes(
 }
 
 #[test]
+fn while_files_are_over_the_window_it_says_that_they_can_be_dropped() {
+    let mut program = Program::new();
+    let hint = "Drop calibration files, or saved rigs, to read them";
+    assert!(!program.says(hint));
+    program.harness.input_mut().hovered_files.push(egui::HoveredFile::default());
+    // egui draws without end then.
+    program.harness.run_steps(3);
+    assert!(program.says(hint));
+    program.harness.input_mut().hovered_files.clear();
+    program.harness.run();
+    assert!(!program.says(hint));
+}
+
+#[test]
 fn what_is_used_is_kept_and_can_be_undone() {
     let mut program = Program::new();
     program.type_into(FX, "500");
@@ -145,6 +159,26 @@ fn rigs_are_typed_compared_removed_and_brought_back() {
     assert!(program.says("A Robot, front, 12 cm · 700 px"));
     program.press("Use in calculator");
     assert_eq!((program.value(FX), program.value(B)), ("700".to_owned(), "12".to_owned()));
+}
+
+#[test]
+fn undo_in_a_field_does_not_bring_the_text_of_a_rig_that_is_gone() {
+    let mut program = Program::new();
+    program.show("Rigs");
+    for name in ["First", "Second"] {
+        program.press("New rig");
+        program.type_into("Name", name);
+    }
+    // The second one comes to the place of the first, whose field has been typed into.
+    program.press("A First, no numbers yet");
+    program.type_into("Name", "First of all");
+    program.press("Remove");
+    assert_eq!(program.value("Name"), "Second");
+    program.input("Name").focus();
+    program.harness.run();
+    program.harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
+    program.harness.run();
+    assert_eq!(program.value("Name"), "Second");
 }
 
 #[test]

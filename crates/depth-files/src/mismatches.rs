@@ -45,6 +45,13 @@ impl Warning {
                  those of the rectified images.",
                 shown((ratio * 100.0).round() / 100.0)
             ),
+            Self::RawSizeContradicts { camera, principal, side } => format!(
+                "{camera}: the principal point {principal} of its raw images lies outside of them, as the file says that they are {side} pixels in \
+                 size: its lines are of several resolutions."
+            ),
+            Self::Unnumbered => {
+                "The files do not say which camera is cam0: it is the first that was given. Where they stand is what the files say.".to_owned()
+            }
             Self::Doubled { key, places } => {
                 let [first, last] = places.map(|place| place.words(names));
                 format!("“{key}” stands twice, in {first} and in {last}: the last one is taken.")

@@ -54,6 +54,15 @@ pub enum Warning {
         /// The width or the height.
         side: u32,
     },
+    /// cx or cy of the raw images lies outside of them, in a file that has both these and rectified ones.
+    RawSizeContradicts {
+        /// Which camera.
+        camera: String,
+        /// cx or cy, in pixels.
+        principal: f64,
+        /// The width or the height.
+        side: u32,
+    },
     /// The model is one of a fisheye lens.
     Fisheye {
         /// Which camera.
@@ -103,6 +112,8 @@ pub enum Warning {
     },
     /// Only the order of the files says which camera is the left one.
     FileOrder,
+    /// Only the order of the files says which camera has which number.
+    Unnumbered,
     /// The second camera stands above the first.
     SwappedRows,
     /// One camera stands in front of the other.
@@ -203,6 +214,7 @@ impl Warning {
                 | Self::FocalLengths { .. }
                 | Self::Sizes { .. }
                 | Self::FileOrder
+                | Self::Unnumbered
                 | Self::SwappedRows
                 | Self::Ahead
                 | Self::Many { .. }
@@ -222,6 +234,7 @@ impl Warning {
         match self {
             Self::Fisheye { camera, .. }
             | Self::NoPrincipalPoint { camera }
+            | Self::RawSizeContradicts { camera, .. }
             | Self::RectifiedSize { camera, .. }
             | Self::Resized { camera, .. }
             | Self::Binned { camera, .. } => Some(camera),

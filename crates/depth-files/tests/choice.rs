@@ -36,6 +36,21 @@ fn of_kitti_the_color_pair_has_its_own_baseline_and_doffs() {
 }
 
 #[test]
+fn what_is_wrong_of_the_raw_images_of_kitti_is_said_of_the_cameras_that_are_chosen() {
+    let raw = "S_03: 1000 370\nK_03: 700 0 1200 0 700 180 0 0 1\n";
+    let all = found(&format!("{raw}{}", KITTI.replace("P", "P_rect_0")));
+    let is_said = |found: &Found| {
+        found
+            .warnings
+            .iter()
+            .any(|one| one.to_string().contains("principal point 1200 of its raw images"))
+    };
+    assert!(is_said(&all), "{:?}", all.warnings);
+    assert!(is_said(&all.choose_named(&["02", "03"]).unwrap()));
+    assert!(!is_said(&all.choose_named(&["00", "01"]).unwrap()));
+}
+
+#[test]
 fn a_single_camera_has_no_baseline() {
     let all = found(KITTI);
     let one = all.choose_named(&["camera 3"]).unwrap();

@@ -44,7 +44,11 @@ fn a_baseline_of_kitti_that_contradicts_what_was_measured_is_that_which_was_meas
     let agreed = found(&[&KITTI.replace("-1000", "-502")]);
     assert_eq!((value(&agreed), said(&agreed).as_str()), (0.502, ""));
     let outside = found(&[&KITTI.replace("-1000", "-502").replace("S_103: 880", "S_103: 430")]);
-    assert!(said(&outside).contains("440 lies outside"), "{}", said(&outside));
+    assert!(
+        said(&outside).contains("camera 103: the principal point 440 of its raw images lies outside"),
+        "{}",
+        said(&outside)
+    );
 }
 
 #[test]
@@ -289,7 +293,12 @@ fn cameras_of_euroc_are_named_by_their_comments_and_not_by_the_order_of_the_file
         let pair = found(&files.map(String::as_str));
         let names: Vec<&str> = pair.cameras.iter().map(|camera| camera.name.as_str()).collect();
         assert_eq!((names, pair.pair, value(&pair)), (vec!["cam0", "cam1"], Some([0, 1]), 0.1));
+        assert!(!said(&pair).contains("cam0"), "{}", said(&pair));
     }
+    // Without them, the order of the files is said to be all there is.
+    let unnamed = found(&[&file("one", 0.0), &file("other", 0.1)]);
+    assert_eq!((value(&unnamed), unnamed.pair), (0.1, Some([0, 1])));
+    assert!(said(&unnamed).contains("do not say which camera is cam0"), "{}", said(&unnamed));
 }
 
 #[test]

@@ -1,8 +1,10 @@
 //! Opening calibration files: from the question which, over what is found in them, to the rig that comes of it.
 
+mod drop;
 mod found;
 mod ui;
 
+pub use drop::hint_ui as drop_hint_ui;
 pub use found::Shown;
 pub use ui::ui;
 

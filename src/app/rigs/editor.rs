@@ -22,32 +22,36 @@ const GROUPS: [(&str, &[Key]); 3] = [
     ("Pair", &[fields::BASELINE, fields::DOFFS, fields::ZERO]),
 ];
 
+/// The place of a rig in the list, and how often rigs have moved in it.
+type Place = (usize, u32);
+
 /// Draws the editor of the rig that is shown.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, assessment: Option<&Assessment>) {
     let at = cx.settings.rigs.shown;
+    let place = (at, cx.settings.rigs.moves);
     let mut commands = Vec::new();
     let height = cx.layout.control_height();
     let Some(rig) = cx.settings.rigs.shown_mut() else { return };
     let title = format!("Rig {}", letter(at));
     let palette = theme::palette(ui);
     text::heading_ui(ui, &title, 2, theme::strong(theme::CARD_HEADING_SIZE), palette.text);
-    ui.scope_builder(UiBuilder::new().scope_id(Id::unique(("editor of a rig", at))), |ui| {
+    ui.scope_builder(UiBuilder::new().scope_id(Id::unique(("editor of a rig", place))), |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.add_space(theme::STEP);
-        text_field_ui(ui, (at, "Name"), (&mut rig.name, "Robot, front"), &mut commands);
+        text_field_ui(ui, (place, "Name"), (&mut rig.name, "Robot, front"), &mut commands);
         for (heading, keys) in GROUPS {
             group_heading_ui(ui, heading, rig);
             for pair in keys.chunks(2) {
-                pair_ui(ui, (at, pair), rig, assessment, &mut commands);
+                pair_ui(ui, (place, pair), rig, assessment, &mut commands);
             }
         }
         text_field_ui(
             ui,
-            (at, "Distortion"),
+            (place, "Distortion"),
             (&mut rig.distortion, "plumb bob: −0.28, 0.07, 0, 0"),
             &mut commands,
         );
-        text_field_ui(ui, (at, "Source"), (&mut rig.source, "Calibration of November"), &mut commands);
+        text_field_ui(ui, (place, "Source"), (&mut rig.source, "Calibration of November"), &mut commands);
     });
     ui.add_space(2.0 * theme::STEP);
     ui.horizontal_wrapped(|ui| {
@@ -93,7 +97,7 @@ fn group_heading_ui(ui: &mut Ui, heading: &str, rig: &mut Rig) {
     }
 }
 
-fn pair_ui(ui: &mut Ui, (at, pair): (usize, &[Key]), rig: &mut Rig, assessment: Option<&Assessment>, commands: &mut Vec<Command>) {
+fn pair_ui(ui: &mut Ui, (place, pair): (Place, &[Key]), rig: &mut Rig, assessment: Option<&Assessment>, commands: &mut Vec<Command>) {
     let gap = 2.0 * theme::STEP;
     let columns = if ui.available_width() >= theme::PAIR_WIDTH { 2 } else { 1 };
     let width = if columns == 2 {
@@ -108,7 +112,7 @@ fn pair_ui(ui: &mut Ui, (at, pair): (usize, &[Key]), rig: &mut Rig, assessment: 
                 let layout = egui::Layout::top_down(egui::Align::Min);
                 ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {
                     ui.set_width(width);
-                    field_ui(ui, (at, key), rig, assessment, commands);
+                    field_ui(ui, (place, key), rig, assessment, commands);
                 });
             }
         });
@@ -116,7 +120,7 @@ fn pair_ui(ui: &mut Ui, (at, pair): (usize, &[Key]), rig: &mut Rig, assessment: 
     }
 }
 
-fn field_ui(ui: &mut Ui, (at, key): (usize, Key), rig: &mut Rig, assessment: Option<&Assessment>, commands: &mut Vec<Command>) {
+fn field_ui(ui: &mut Ui, (place, key): (Place, Key), rig: &mut Rig, assessment: Option<&Assessment>, commands: &mut Vec<Command>) {
     // What is of the calculator too, the assessment has read.
     let own = reading::read(key, rig.inputs.entry(key));
     let is_of_form = key.section.is_some();
@@ -131,7 +135,7 @@ fn field_ui(ui: &mut Ui, (at, key): (usize, Key), rig: &mut Rig, assessment: Opt
         notes: notes.chain(own_note).collect(),
         with_sigma: true,
         helper: None,
-        id: Id::unique(("field of a rig", at, key.as_str())),
+        id: Id::unique(("field of a rig", place, key.as_str())),
         submits: false,
         entry: rig.inputs.entry_mut(key),
     };
@@ -139,7 +143,7 @@ fn field_ui(ui: &mut Ui, (at, key): (usize, Key), rig: &mut Rig, assessment: Opt
 }
 
 /// A field for a text that is no number.
-fn text_field_ui(ui: &mut Ui, (at, name): (usize, &str), (typed, example): (&mut String, &str), commands: &mut Vec<Command>) {
+fn text_field_ui(ui: &mut Ui, (place, name): (Place, &str), (typed, example): (&mut String, &str), commands: &mut Vec<Command>) {
     let palette = theme::palette(ui);
     let label = ui.label(RichText::new(name).font(theme::strong(theme::BODY_SIZE)).color(palette.text));
     ui.add_space(theme::LABEL_GAP);
@@ -147,7 +151,7 @@ fn text_field_ui(ui: &mut Ui, (at, name): (usize, &str), (typed, example): (&mut
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     let cells = Cells::of(rect, false, false);
     joined::ground_ui(ui, &cells, false);
-    let id = Id::unique(("text of a rig", at, name));
+    let id = Id::unique(("text of a rig", place, name));
     let output = joined::words_ui(ui, cells.value, typed, (id, example));
     let response = output.response.response.labelled_by(label.id);
     text_menu::ui(&response, typed, commands);

@@ -13,6 +13,9 @@ pub struct RigList {
     pub all: Vec<Rig>,
     /// The place of the one that is shown.
     pub shown: usize,
+    /// How often rigs came to other places: what egui remembers of the fields at a place is then of another rig.
+    #[serde(skip)]
+    pub moves: u32,
 }
 
 /// A list of rigs as a file.
@@ -63,6 +66,7 @@ impl RigList {
 
     /// Takes out the rig at `at`.
     pub fn remove(&mut self, at: usize) -> Option<Rig> {
+        self.moves += 1;
         let removed = (at < self.all.len()).then(|| self.all.remove(at));
         self.shown = self.shown.min(self.all.len().saturating_sub(1));
         removed
@@ -71,6 +75,7 @@ impl RigList {
     /// Puts `rig` back at its place.
     pub fn put_back(&mut self, at: usize, rig: Rig) {
         if self.has_room() {
+            self.moves += 1;
             let at = at.min(self.all.len());
             self.all.insert(at, rig);
             self.shown = at;

@@ -2,6 +2,7 @@
 
 use super::inbox::{Inbox, sentence};
 use super::listeners::{on, on_its_way};
+use super::page;
 use crate::app::{Event, OpenedFile, PlatformError};
 use depth_jobs::{LARGEST_FILE, MOST_FILES};
 use wasm_bindgen::{JsCast as _, JsValue};
@@ -18,6 +19,10 @@ pub(super) fn listen(inbox: &Inbox) {
     on_its_way(&window, "drop", move |event| {
         event.prevent_default();
         event.stop_propagation();
+        // eframe would read them too, however large they are; what it has to hear is that they are no longer over the page.
+        if let (Some(canvas), Ok(left)) = (page::element("app"), web_sys::DragEvent::new("dragleave")) {
+            let _ = canvas.dispatch_event(&left);
+        }
         let data = event.dyn_ref::<web_sys::DragEvent>().and_then(web_sys::DragEvent::data_transfer);
         if let Some(files) = data.and_then(|data| data.files()) {
             read(&inbox, &files, Event::Dropped);

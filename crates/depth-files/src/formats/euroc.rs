@@ -52,6 +52,9 @@ pub(super) fn read(documents: &[&Node]) -> Result<Found, Refusal> {
             pose: Named::read(document, FORMAT, &["T_BS"])?,
         });
     }
+    if !are_numbered && documents.len() > 1 {
+        found.warnings.push(Warning::Unnumbered);
+    }
     pair_up(&mut found, &stations)?;
     for pair in &mut found.pairs {
         // The files come in any order.

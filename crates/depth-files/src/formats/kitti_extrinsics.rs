@@ -46,7 +46,8 @@ impl<'a> Extrinsics<'a> {
                 continue;
             };
             let found = [cx, cy].into_iter().zip(sides).find(|(at, side)| *at > f64::from(*side));
-            outside.extend(found.map(|(principal, side)| Warning::SizeContradicts { principal, side }));
+            let camera = format!("camera {number}");
+            outside.extend(found.map(|(principal, side)| Warning::RawSizeContradicts { camera, principal, side }));
         }
         // A map has no order.
         outside.sort_by_key(ToString::to_string);

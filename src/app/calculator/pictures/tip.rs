@@ -57,15 +57,16 @@ pub fn cursor_ui(ui: &Ui, response: &Response, title: &str, start: Start, mut st
     let Some(last) = stops.len().checked_sub(1) else { return };
     let id = response.id.with("cursor");
     let stands: Option<usize> = ui.data(|data| data.get_temp(id));
-    let now = stands.unwrap_or(match start {
+    let first = match start {
         Start::First => 0,
         Start::Last => last,
-    });
-    let Some(stop) = stops.get(now.min(last)) else { return };
+    };
+    let now = stands.unwrap_or(first).min(last);
+    let Some(stop) = stops.get(now) else { return };
     let words: Vec<String> = stop.lines.iter().map(Words::text).collect();
     let slider = Slider {
         name: &format!("Data cursor: {title}"),
-        value: index(now.min(last)),
+        value: index(now),
         range: [0.0, index(last)],
         words: &words.join(", "),
     };
@@ -77,10 +78,7 @@ pub fn cursor_ui(ui: &Ui, response: &Response, title: &str, start: Start, mut st
             .map(|(at, _)| at)
             .find(|at| index(*at) >= value.round())
             .unwrap_or(last),
-        None => now
-            .min(last)
-            .saturating_add_signed(isize::try_from(handle.steps).unwrap_or(0))
-            .min(last),
+        None => now.saturating_add_signed(isize::try_from(handle.steps).unwrap_or(0)).min(last),
     };
     if next != now {
         ui.data_mut(|data| data.insert_temp(id, next));
