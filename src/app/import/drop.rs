@@ -1,7 +1,7 @@
 //! What is shown while files are dragged over the window.
 
 use crate::app::theme;
-use egui::{Align2, Area, Frame, Id, Margin, Order, RichText, Sense, Stroke, Ui};
+use egui::{Align2, Area, Frame, Id, Order, RichText, Sense, Stroke, Ui};
 
 const WORDS: &str = "Drop calibration files, or saved rigs, to read them";
 
@@ -34,7 +34,7 @@ pub fn hint_ui(ui: &Ui) {
             .fill(palette.surface)
             .stroke(Stroke::new(theme::THIN_LINE, palette.border));
         card.corner_radius(theme::CONTROL_RADIUS)
-            .inner_margin(Margin::same(16))
+            .inner_margin(theme::DROP_MARGIN)
             .show(ui, |ui| {
                 ui.label(RichText::new(WORDS).font(theme::strong(theme::BODY_SIZE)).color(palette.text));
             });

@@ -156,6 +156,8 @@ pub const FOCUS_SCROLL_MARGIN: f32 = 12.0;
 pub const CONTENT_WIDTH: f32 = 2512.0;
 /// The widest a column of text grows.
 pub const TEXT_WIDTH: f32 = 720.0;
+/// Around the words that say what can be dropped.
+pub const DROP_MARGIN: Margin = Margin::symmetric(16, 12);
 /// From the edges of the window to the contents of a dialog, both sides together.
 pub const DIALOG_MARGINS: f32 = 72.0;
 /// The height of a window in which every dialog is whole; in a lower one it scrolls.
