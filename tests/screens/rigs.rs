@@ -48,6 +48,20 @@ fn a_calibration_is_shown_with_where_each_number_stands_before_anything_changes(
 }
 
 #[test]
+fn the_focus_is_on_the_first_control_of_an_answer() {
+    let mut program = Program::new();
+    for (text, first) in [
+        (MIDDLEBURY, "Camera or pair"),
+        ("<!DOCTYPE html>", "Open other files…"),
+        (OPENCV_IN_SQUARES, "Camera or pair"),
+    ] {
+        open(&mut program, Ok(vec![file("calib", text)]));
+        assert_eq!(program.focused(), first, "{text}");
+        program.press("Cancel");
+    }
+}
+
+#[test]
 fn while_files_are_over_the_window_it_says_that_they_can_be_dropped() {
     let mut program = Program::new();
     let hint = "Drop calibration files, or saved rigs, to read them";

@@ -24,6 +24,8 @@ pub struct Import {
     /// Why files could not be opened, while what is there stays.
     obstacle: Option<String>,
     state: State,
+    /// Whether the answer has just come, and the focus is still on what stood there before.
+    is_new: bool,
 }
 
 /// How far it is.
@@ -87,6 +89,7 @@ impl Import {
             End::Failed(failure) => State::Failed(failure.to_string()),
             End::Cancelled => State::Asking,
         };
+        self.is_new = true;
     }
 
     /// Says why files could not be opened. What is there stays.

@@ -10,7 +10,7 @@ use crate::app::theme;
 use crate::app::widgets::field::Field;
 use crate::app::widgets::menu::List;
 use crate::app::widgets::table::{self, Cell};
-use crate::app::widgets::{scroll, text, text_menu};
+use crate::app::widgets::{main_button, scroll, text, text_menu};
 use depth_text::field::Key;
 use depth_text::fields;
 use depth_text::names::Named as _;
@@ -18,7 +18,7 @@ use depth_text::note::Severity;
 use depth_text::reading;
 use egui::accesskit::Role;
 use egui::text::LayoutJob;
-use egui::{Button, Id, RichText, Stroke, TextEdit, Ui, vec2};
+use egui::{Button, Id, Response, RichText, TextEdit, Ui, vec2};
 
 const TITLE: &str = "Calibration files";
 const LEAD: &str = "What a calibration wrote: of OpenCV, ROS, Kalibr, KITTI, Middlebury, EuRoC, COLMAP, ORB-SLAM, ZED, RealSense and others. They are \
@@ -41,11 +41,15 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, import: &mut Import) {
             if let Some(why) = &import.obstacle {
                 error_ui(ui, why);
             }
-            match &mut import.state {
-                State::Asking => asking_ui(ui, cx, &mut import.text),
+            let first = match &mut import.state {
+                State::Asking => Some(asking_ui(ui, cx, &mut import.text)),
                 State::Reading(_) => reading_ui(ui, &names),
-                State::Failed(why) => failed_ui(ui, cx, &names, why),
-                State::Found(shown) => found_ui(ui, cx, &names, shown),
+                State::Failed(why) => Some(failed_ui(ui, cx, &names, why)),
+                State::Found(shown) => Some(found_ui(ui, cx, &names, shown)),
+            };
+            // As if another dialog had opened.
+            if let Some(first) = first.filter(|_| std::mem::take(&mut import.is_new)) {
+                first.request_focus();
             }
         });
         ui.add_space(2.0 * theme::STEP);
@@ -63,17 +67,20 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, import: &mut Import) {
     }
 }
 
-fn button_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (command, words): (Command, &str)) {
+fn button_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (command, words): (Command, &str)) -> Response {
     let button = Button::new(words).min_size(vec2(0.0, cx.layout.control_height()));
-    if ui.add(button).clicked() {
+    let response = ui.add(button);
+    if response.clicked() {
         cx.commands.push(command);
     }
+    response
 }
 
-fn asking_ui(ui: &mut Ui, cx: &mut AppContext<'_>, typed: &mut String) {
+/// Returns the first control, as its siblings do.
+fn asking_ui(ui: &mut Ui, cx: &mut AppContext<'_>, typed: &mut String) -> Response {
     text::paragraph_ui(ui, LEAD);
     ui.add_space(theme::STEP);
-    button_ui(ui, cx, (Command::OpenFiles, Command::OpenFiles.text()));
+    let first = button_ui(ui, cx, (Command::OpenFiles, Command::OpenFiles.text()));
     text::caption_ui(ui, "Or drop them anywhere on this window.");
     ui.add_space(2.0 * theme::STEP);
     let palette = theme::palette(ui);
@@ -96,11 +103,13 @@ fn asking_ui(ui: &mut Ui, cx: &mut AppContext<'_>, typed: &mut String) {
     if ui.add_enabled(!typed.trim().is_empty(), button).clicked() {
         cx.commands.push(Command::ReadText(typed.clone()));
     }
+    first
 }
 
-fn reading_ui(ui: &mut Ui, names: &[String]) {
+fn reading_ui(ui: &mut Ui, names: &[String]) -> Option<Response> {
     let said = ui.label(format!("Reading {}…", names.join(", ")));
     text::announce(ui, &said);
+    None
 }
 
 fn error_ui(ui: &mut Ui, why: &str) {
@@ -109,7 +118,7 @@ fn error_ui(ui: &mut Ui, why: &str) {
     ui.add_space(theme::STEP);
 }
 
-fn failed_ui(ui: &mut Ui, cx: &mut AppContext<'_>, names: &[String], why: &str) {
+fn failed_ui(ui: &mut Ui, cx: &mut AppContext<'_>, names: &[String], why: &str) -> Response {
     let palette = theme::palette(ui);
     if !names.is_empty() {
         ui.label(
@@ -121,16 +130,18 @@ fn failed_ui(ui: &mut Ui, cx: &mut AppContext<'_>, names: &[String], why: &str) 
     error_ui(ui, why);
     text::caption_ui(ui, "Nothing was changed.");
     ui.add_space(theme::STEP);
-    ui.horizontal_wrapped(|ui| {
-        button_ui(ui, cx, (Command::OpenFiles, "Open other files…"));
+    let row = ui.horizontal_wrapped(|ui| {
+        let first = button_ui(ui, cx, (Command::OpenFiles, "Open other files…"));
         if !names.is_empty() {
             button_ui(ui, cx, (Command::AddFiles, Command::AddFiles.text()));
         }
         button_ui(ui, cx, (Command::ShowImport, "Start over"));
+        first
     });
+    row.inner
 }
 
-fn found_ui(ui: &mut Ui, cx: &mut AppContext<'_>, names: &[String], shown: &mut Shown) {
+fn found_ui(ui: &mut Ui, cx: &mut AppContext<'_>, names: &[String], shown: &mut Shown) -> Response {
     let palette = theme::palette(ui);
     let said = ui.label(
         RichText::new(format!("{}: {}", names.join(", "), shown.found.format))
@@ -144,21 +155,22 @@ fn found_ui(ui: &mut Ui, cx: &mut AppContext<'_>, names: &[String], shown: &mut 
         text::announce(ui, &said);
     }
     ui.add_space(theme::STEP);
-    choices_ui(ui, shown);
+    let cameras = choices_ui(ui, shown);
     numbers_ui(ui, shown);
-    unit_ui(ui, cx, shown);
+    let unit = unit_ui(ui, cx, shown);
     changes_ui(ui, cx, shown.rig(names));
-    ui.horizontal_wrapped(|ui| button_ui(ui, cx, (Command::AddFiles, Command::AddFiles.text())));
+    let more = ui.horizontal_wrapped(|ui| button_ui(ui, cx, (Command::AddFiles, Command::AddFiles.text())));
     if !shown.found.ignored.is_empty() {
         ui.add_space(theme::STEP);
         text::caption_ui(ui, format!("Not read: {}", shown.found.ignored.join("; ")));
     }
+    cameras.or(unit).unwrap_or(more.inner)
 }
 
 /// The choice among several cameras and pairs.
-fn choices_ui(ui: &mut Ui, shown: &mut Shown) {
+fn choices_ui(ui: &mut Ui, shown: &mut Shown) -> Option<Response> {
     if shown.found.choices.len() < 2 {
-        return;
+        return None;
     }
     let name = |choice: &depth_jobs::Choice| {
         let size = choice.camera.size;
@@ -173,11 +185,12 @@ fn choices_ui(ui: &mut Ui, shown: &mut Shown) {
         names: &names,
         chosen: Some(shown.choice),
     };
-    let (_, now) = list.ui(ui, "camera or pair of the file");
+    let (response, now) = list.ui(ui, "camera or pair of the file");
     if let Some(now) = now.filter(|now| *now != shown.choice) {
         shown.choose(now);
     }
     ui.add_space(theme::STEP);
+    Some(response)
 }
 
 /// What the files say: each number with where it stands.
@@ -263,9 +276,8 @@ fn rows_ui(ui: &mut Ui, name: &str, headers: [&str; 3], rows: &[(&str, String, &
 }
 
 /// Asks for the unit of the baseline, where the file does not say it.
-fn unit_ui(ui: &mut Ui, cx: &mut AppContext<'_>, shown: &mut Shown) {
-    let Some(value) = shown.asks_unit_of() else { return };
-    let value = number(value);
+fn unit_ui(ui: &mut Ui, cx: &mut AppContext<'_>, shown: &mut Shown) -> Option<Response> {
+    let value = number(shown.asks_unit_of()?);
     let names: Vec<String> = shown.units().into_iter().map(|unit| unit.offer(&value)).collect();
     text::caption_ui(
         ui,
@@ -278,7 +290,7 @@ fn unit_ui(ui: &mut Ui, cx: &mut AppContext<'_>, shown: &mut Shown) {
         names: &names,
         chosen: shown.unit,
     };
-    let (_, now) = list.ui(ui, "unit of the file");
+    let (response, now) = list.ui(ui, "unit of the file");
     shown.unit = now.or(shown.unit);
     ui.add_space(theme::STEP);
     if shown.chosen_unit() == Some(FileUnit::Squares) {
@@ -296,6 +308,7 @@ fn unit_ui(ui: &mut Ui, cx: &mut AppContext<'_>, shown: &mut Shown) {
         }
         .ui(ui, cx.commands);
     }
+    Some(response)
 }
 
 /// What would become of the fields of the calculator.
@@ -341,22 +354,11 @@ fn changes_ui(ui: &mut Ui, cx: &AppContext<'_>, rig: Option<Rig>) {
 
 /// The buttons that take what was found.
 fn take_ui(ui: &mut Ui, cx: &mut AppContext<'_>, rig: Option<Rig>) {
-    let palette = theme::palette(ui);
     let has_room = cx.settings.rigs.has_room();
     let is_known = rig.is_some();
     let rig = rig.unwrap_or_default();
     let use_it = Command::UseCalibration(Box::new(rig.clone()));
-    let blue = Button::new(
-        RichText::new(use_it.text())
-            .font(theme::strong(theme::BODY_SIZE))
-            .color(palette.on_blue),
-    )
-    .fill(palette.blue)
-    .stroke(Stroke::NONE);
-    if ui
-        .add_enabled(is_known, blue.min_size(vec2(0.0, cx.layout.control_height())))
-        .clicked()
-    {
+    if main_button::ui(ui, use_it.text(), is_known) {
         cx.commands.push(use_it);
     }
     let keep = Command::AddRig(Box::new(rig));

@@ -7,13 +7,13 @@ use crate::app::context::AppContext;
 use crate::app::theme;
 use crate::app::widgets::field::Field;
 use crate::app::widgets::joined::{self, Cells};
-use crate::app::widgets::{choice, text, text_menu};
+use crate::app::widgets::{choice, main_button, text, text_menu};
 use crate::core::setup::Pair;
 use depth_text::assess::Assessment;
 use depth_text::field::Key;
 use depth_text::fields;
 use depth_text::reading;
-use egui::{Button, Id, RichText, Sense, Stroke, Ui, UiBuilder, vec2};
+use egui::{Button, Id, RichText, Sense, Ui, UiBuilder, vec2};
 
 /// The fields that stand side by side, and under which heading.
 const GROUPS: [(&str, &[Key]); 3] = [
@@ -57,14 +57,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, assessment: Option<&Assessment>)
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(2.0 * theme::STEP, 2.0 * theme::STEP);
         let use_it = Command::UseRig(at);
-        let blue = Button::new(
-            RichText::new(use_it.text())
-                .font(theme::strong(theme::BODY_SIZE))
-                .color(palette.on_blue),
-        )
-        .fill(palette.blue)
-        .stroke(Stroke::NONE);
-        if ui.add_enabled(!rig.is_blank(), blue.min_size(vec2(0.0, height))).clicked() {
+        if main_button::ui(ui, use_it.text(), !rig.is_blank()) {
             commands.push(use_it);
         }
         let remove = Command::RemoveRig(at);

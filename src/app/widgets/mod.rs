@@ -7,6 +7,7 @@ pub mod choice;
 pub mod field;
 pub mod figure;
 pub mod joined;
+pub mod main_button;
 pub mod menu;
 mod note_card;
 pub mod note_line;

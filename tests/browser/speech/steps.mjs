@@ -7,6 +7,18 @@ const { TAB, ENTER, ESCAPE, ARROW_DOWN, BACK_SPACE } = Key;
 /** The keys of Orca from cell to cell. */
 const CELL = { Down: 'alt+shift+Down', Left: 'alt+shift+Left', Right: 'alt+shift+Right', Up: 'alt+shift+Up' };
 
+const MIDDLEBURY = 'cam0=[700 0 320; 0 700 240; 0 0 1]\ncam1=[700 0 320; 0 700 240; 0 0 1]\ndoffs=0\nbaseline=100\nwidth=640\nheight=480\n';
+
+/** Drops a calibration in the middle of the window. */
+const drop = (page) =>
+  page.run(
+    `const transfer = new DataTransfer();
+     transfer.items.add(new File([arguments[0]], 'calib.txt'));
+     const target = document.elementFromPoint(innerWidth / 2, innerHeight / 2);
+     target.dispatchEvent(new DragEvent('drop', { bubbles: true, cancelable: true, dataTransfer: transfer }));`,
+    MIDDLEBURY,
+  );
+
 /** What is done, by name, in order. `press` presses a key of the keyboard: of those of a driver, Orca hears none. */
 export function steps(page, press) {
   const type = (...keys) => () => page.type(...keys);
@@ -80,5 +92,25 @@ export function steps(page, press) {
     toCell('Down', 'the next part of the table'),
     toCell('Down', 'its first value'),
     toCell('Left', 'its name'),
+    ['To a button', () => focus(page.element('Reset', 'button'))],
+    ['Alt + 2: Rigs', () => page.driver.actions().keyDown(Key.ALT).sendKeys('2').keyUp(Key.ALT).perform()],
+    ['To a new rig', () => focus(page.element('New rig', 'button'))],
+    ['Enter: it is there', type(ENTER)],
+    ['To its name', () => focus(page.field('Name'))],
+    ['Types a name', type(...'Robot')],
+    ['Tab to its baseline', tabTo('Camera baseline (b)')],
+    ['Types -3, a mistake', type(...'-3')],
+    ['Tab', type(TAB)],
+    ['To the files', () => focus(page.element('Calibration file…', 'button'))],
+    ['Enter: the dialog', type(ENTER)],
+    ['Tab to the text of a file', tabTo('Or paste the text of one')],
+    ['Types what is none', type(...'nothing')],
+    ['Tab: to read it', type(TAB)],
+    ['Enter: why it is none', type(ENTER)],
+    ['Escape: it closes', type(ESCAPE)],
+    ['A calibration is dropped', () => drop(page)],
+    ['Tab', type(TAB)],
+    ['To use it', () => focus(page.element('Use in calculator', 'button'))],
+    ['Enter: it is used', type(ENTER)],
   ];
 }

@@ -10,7 +10,7 @@ use crate::app::sentences::Hint;
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::menu::List;
-use crate::app::widgets::{scroll, symbols, text};
+use crate::app::widgets::{main_button, scroll, text};
 use crate::core::q_matrix::StereoGeometry;
 use crate::core::quantity::{Length, LengthUnit};
 use depth_text::choices::{MATCHING_ERRORS, SENSOR_FORMATS, SensorFormat};
@@ -20,8 +20,7 @@ use depth_text::note::{Issue, Note};
 use depth_text::number::plain;
 use depth_text::reading::{self, Reading};
 use depth_text::ways::{BASELINES, DISPARITIES, FOCAL_LENGTHS, Way, WayResult};
-use egui::text::TextFormat;
-use egui::{Button, Stroke, Ui, vec2};
+use egui::Ui;
 
 const fn title(helper: Helper) -> &'static str {
     match helper {
@@ -208,7 +207,7 @@ fn use_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
     let label = result
         .value
         .map_or_else(|| format!("Use as {symbol}"), |value| format!("Use {}", way.result_text(value)));
-    if use_button_ui(ui, &label, result.value.is_some())
+    if main_button::ui(ui, &label, result.value.is_some())
         && let Some(value) = result.value
     {
         let also = way.also(&cx.settings.entries);
@@ -259,15 +258,4 @@ fn typical_errors_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
         *sigma = plain(*px);
         cx.commands.push(Command::Settle);
     }
-}
-
-fn use_button_ui(ui: &mut Ui, label: &str, enabled: bool) -> bool {
-    let height = ui.spacing().interact_size.y;
-    let palette = theme::palette(ui);
-    let format = TextFormat::simple(theme::strong(theme::BODY_SIZE), palette.on_blue);
-    let button = Button::new(symbols::job(palette, label, &format, false))
-        .fill(palette.blue)
-        .stroke(Stroke::NONE)
-        .min_size(vec2(0.0, height));
-    ui.add_enabled(enabled, button).accessible_name(label).clicked()
 }
