@@ -1,6 +1,7 @@
 //! What can be typed: commands, their arguments and their help.
 
 use super::between::Between;
+use super::decode::Decode;
 use super::help;
 use super::import::Import;
 use super::options::{Calculate, Ground};
@@ -51,6 +52,9 @@ pub(super) enum Task {
     /// Read focal length, baseline and doffs from a Q matrix of stereoRectify
     #[command(after_long_help = help::Q)]
     Q(Q),
+    /// Decode a number that a picture or a network stores for a pixel: to a disparity, and to a distance
+    #[command(after_long_help = help::DECODE)]
+    Decode(Box<Decode>),
     /// Print the completions of a shell, to be stored where it looks for them
     #[command(after_long_help = COMPLETIONS_HELP)]
     Completions {

@@ -94,6 +94,14 @@ Examples:
   depth-calculator import SN1234.conf --camera 'left HD,right HD'
   depth-calculator calculate --from calib.txt --disparity 50";
 
+/// Of `decode`.
+pub(super) const DECODE: &str = "\
+Examples:
+  depth-calculator decode 12345 --as kitti --fx 718.856 --baseline 0.54m
+  depth-calculator decode -800 --divide -16 --fx 700 --baseline 100mm
+  depth-calculator decode 1400 --as depth-mm --json
+  depth-calculator decode 100,20,1 --as carla";
+
 /// Of `q`.
 pub(super) const Q: &str = "\
 The matrix is read from a calibration file of OpenCV (YAML, XML, JSON),

@@ -6,6 +6,7 @@ mod between;
 mod calculate;
 mod calibration;
 mod completions;
+mod decode;
 mod file;
 mod fill;
 mod ground;
@@ -86,6 +87,7 @@ fn answer(task: &Task) -> Result<Reply, String> {
         Task::Between(between) => between.reply(),
         Task::Import(import) => import.reply(),
         Task::Q(q) => q.reply(),
+        Task::Decode(decode) => decode.reply(),
         Task::Completions { shell } => Ok(Reply::without_warnings(completions::script(*shell))),
         Task::Man => {
             let page = manual::page().map_err(|error| error.to_string());

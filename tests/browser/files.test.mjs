@@ -188,19 +188,23 @@ it('says how long it takes from a drop to the answer', async (test) => {
   assert.ok(Number(first) > 0 && Number(again) > 0);
 });
 
+/** Has the page ask the server for what it loads next. */
+const withoutKeptFiles = (page) => page.run('return navigator.serviceWorker?.getRegistration().then((kept) => kept?.unregister())');
+
 /** What happens to the second module, by the beginnings of what its files are called, and what is then said. */
 const FAULTS = [
   ['is not there', 'worker-', () => undefined, /could not be loaded/],
   ['is no script', 'worker-', () => 'This is not a script.', /could not be loaded/],
   ['is of another build', 'worker-', () => "postMessage(['{\"Ready\":{\"protocol\":0}}'])", /of another version/],
-  ['stops', 'worker-', () => "postMessage(['{\"Ready\":{\"protocol\":1}}']); onmessage = () => { throw new Error('memory') }", /stopped because of an error/],
+  ['stops', 'worker-', () => "postMessage(['{\"Ready\":{\"protocol\":1}}']); onmessage = () => { throw new Error('a trap') }", /stopped because of an error/],
+  ['runs out of memory', 'worker-', () => "postMessage(['{\"Ready\":{\"protocol\":1}}']); onmessage = () => new ArrayBuffer(2 ** 53)", /stopped because of an error/],
 ];
 
 for (const [what, begins, make, said] of FAULTS) {
   it(`a second module that ${what} harms nothing, and the next file gets a new one`, async (test) => {
     const page = await started(test);
     // As the page asks for it: a worker of kept files would be the right one.
-    await page.run("return navigator.serviceWorker?.getRegistration().then((kept) => kept?.unregister())");
+    await withoutKeptFiles(page);
     const name = await page.run("return document.querySelector('meta[name=worker]').content");
     assert.ok(name.startsWith(begins), name);
     const right = await readFile(path.join(settings.dist, name), 'utf8');
@@ -222,7 +226,13 @@ it('a second module that does not answer is given up', async (test) => {
   const page = await started(test);
   const name = await page.run("return document.querySelector('meta[name=worker]').content");
   bench.server.state.added.set(name, "postMessage(['{\"Ready\":{\"protocol\":1}}']); onmessage = () => { for (;;); }");
-  await page.run("return navigator.serviceWorker?.getRegistration().then((kept) => kept?.unregister())");
+  await withoutKeptFiles(page);
+  await drop(page, ['calib.txt', MIDDLEBURY]);
+  await page.says(/Reading calib\.txt/);
+  // Who closes the tab meanwhile, and comes back, finds what was typed.
+  await page.reload();
+  await withoutKeptFiles(page);
+  assert.equal(await page.value(DISPARITY), '50');
   await drop(page, ['calib.txt', MIDDLEBURY]);
   await page.says(/Reading calib\.txt/);
   await page.press('Cancel');

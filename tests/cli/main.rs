@@ -3,6 +3,7 @@
 
 mod contradictions;
 mod counted;
+mod decode;
 mod fields;
 mod figures;
 mod floor;

@@ -4,7 +4,7 @@
 //! cameras. Forgetting a scale is the commonest blunder with stereo: 16 times too near, or all of it behind the camera.
 
 use crate::measured::Measured;
-use crate::quantity::Pixels;
+use crate::quantity::{Length, Pixels};
 
 /// How a disparity is written down.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +35,49 @@ pub enum Encoding {
     ///
     /// Source: Stereolabs, ZED SDK, the DISPARITY measure.
     Zed,
+    /// 16-bit unsigned fixed point, 1/256 px, one more than the disparity; 0 where there is none: d = (p − 1)/256.
+    ///
+    /// Source: Cityscapes, cityscapesScripts, the README on disparity maps.
+    Cityscapes,
+    /// 16-bit unsigned fixed point, 1/32 px; 0 where there is none.
+    ///
+    /// Source: librealsense, the disparity transform of the D400 series.
+    RealSense,
+    /// 16-bit signed fixed point, 1/16 px; 0x8000 where there is none.
+    ///
+    /// Source: Ensenso SDK, DisparityMap.
+    Ensenso,
+    /// The 11-bit number of the first Kinect, d = (1090 − p)/8 for its 580 px and 75 mm; 2047 where there is none.
+    ///
+    /// Source: ROS wiki, kinect_calibration/technical.
+    KinectV1,
+    /// Any other linear one.
+    Linear(Linear),
+}
+
+/// A disparity that is stored as p = factor·d + offset.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Linear {
+    /// Stored steps in a pixel; negative where more is stored for what lies farther away.
+    pub factor: f64,
+    /// What is stored for a disparity of 0.
+    pub offset: f64,
+    /// What is stored where there is no disparity.
+    pub no_match: Option<f64>,
+}
+
+/// The focal length of the first Kinect, to which its disparities belong.
+pub const KINECT_V1_FOCAL_LENGTH: Pixels = Pixels::new(580.0);
+/// The baseline of the first Kinect.
+pub const KINECT_V1_BASELINE: Length = Length::from_m(0.075);
+
+impl Linear {
+    fn decode(self, stored: f64) -> Result<f64, NoDisparity> {
+        if self.no_match == Some(stored) {
+            return Err(NoDisparity::Invalid);
+        }
+        Ok((stored - self.offset) / self.factor)
+    }
 }
 
 /// Sub-pixel bits of DepthAI's disparity.
@@ -95,6 +138,11 @@ impl Encoding {
             }
             Self::Kitti => fixed_point(stored, UNSIGNED, 0.0, 256.0)?,
             Self::DepthAi(bits) => fixed_point(stored, UNSIGNED, 0.0, bits.scale())?,
+            Self::Cityscapes => (fixed_point(stored, UNSIGNED, 0.0, 1.0)? - 1.0) / 256.0,
+            Self::RealSense => fixed_point(stored, UNSIGNED, 0.0, 32.0)?,
+            Self::Ensenso => fixed_point(stored, SIGNED, -32_768.0, 16.0)?,
+            Self::KinectV1 => (1090.0 - fixed_point(stored, (0.0, 2047.0), 2047.0, 1.0)?) / 8.0,
+            Self::Linear(linear) => linear.decode(stored)?,
         };
         if pixels.is_finite() {
             Ok(Pixels::new(pixels))

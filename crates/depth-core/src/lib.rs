@@ -20,6 +20,7 @@ pub mod q_matrix;
 pub mod quantity;
 pub mod setup;
 pub mod stereo;
+pub mod stored;
 pub mod two_points;
 pub mod two_shots;
 pub mod uncertainty;

@@ -94,14 +94,27 @@ async fn read_one(file: &File) -> Result<OpenedFile, PlatformError> {
     if file.size() > largest() {
         return Err(PlatformError::FileTooLarge { file: name });
     }
-    match JsFuture::from(file.array_buffer()).await {
-        Ok(buffer) => Ok(OpenedFile {
-            name,
-            bytes: js_sys::Uint8Array::new(&buffer).to_vec(),
-        }),
+    match read_slices(file).await {
+        Ok(bytes) => Ok(OpenedFile { name, bytes }),
         Err(error) => Err(PlatformError::FileNotOpened {
             file: name,
             reason: sentence(&error),
         }),
     }
+}
+
+/// So much of a file is asked for at once, in bytes: there is never more of it than that beside what has been read.
+const SLICE: f64 = 1_048_576.0;
+
+async fn read_slices(file: &File) -> Result<Vec<u8>, JsValue> {
+    let (size, mut begin) = (file.size(), 0.0);
+    let mut bytes = Vec::new();
+    while begin < size {
+        let end = size.min(begin + SLICE);
+        let slice = file.slice_with_f64_and_f64(begin, end)?;
+        let buffer = JsFuture::from(slice.array_buffer()).await?;
+        bytes.extend(js_sys::Uint8Array::new(&buffer).to_vec());
+        begin = end;
+    }
+    Ok(bytes)
 }

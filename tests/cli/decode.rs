@@ -1,0 +1,131 @@
+//! `decode`: a number that is stored for a pixel.
+
+use crate::{run, text};
+use serde_json::{Value, json};
+
+fn answer(arguments: &str) -> Value {
+    let output = run(&format!("decode {arguments} --json"));
+    assert_eq!(
+        output.status.code(),
+        Some(0),
+        "{arguments}: {}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn refusal(arguments: &str) -> String {
+    let output = run(&format!("decode {arguments}"));
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{arguments}");
+    String::from_utf8(output.stderr).unwrap()
+}
+
+/// 50 px and 1.400 m in every encoding that holds a disparity, with 700 px and 100 mm.
+#[test]
+fn fifty_pixels_in_every_named_encoding() {
+    for (raw, name) in [
+        ("800", "opencv"),
+        ("12800", "kitti"),
+        ("12801", "cityscapes"),
+        ("1600", "realsense"),
+        ("400", "depthai3"),
+        ("800", "depthai4"),
+        ("1600", "depthai5"),
+        ("800", "ensenso"),
+        ("690", "kinect1"),
+        ("-50", "zed"),
+        ("0.0390625 --width 1280", "fraction"),
+    ] {
+        let value = answer(&format!("{raw} --as {name} --fx 700 --baseline 100mm"));
+        assert_eq!(value["disparity_px"], 50.0, "{name}");
+        assert!((value["distance_m"].as_f64().unwrap() - 1.4).abs() < 1e-12, "{name}: {value}");
+        assert_eq!(value["no_match"], false);
+    }
+}
+
+#[test]
+fn depths_in_every_named_encoding_and_the_disparity_that_they_would_be() {
+    for (raw, name) in [
+        ("1400", "depth-mm"),
+        ("7000", "tum"),
+        ("140", "vkitti"),
+        ("0.6", "da3-metric"),
+        ("2", "metric3d"),
+    ] {
+        let value = answer(&format!("{raw} --as {name} --fx 700 --baseline 100"));
+        assert!((value["distance_m"].as_f64().unwrap() - 1.4).abs() < 1e-12, "{name}: {value}");
+        assert!((value["disparity_px"].as_f64().unwrap() - 50.0).abs() < 1e-9, "{name}: {value}");
+    }
+    assert_eq!(answer("2560 --as kitti-depth")["distance_m"], 10.0);
+    assert!((answer("100,20,1 --as carla")["distance_m"].as_f64().unwrap() - 4.217).abs() < 5e-4);
+    assert!((answer("1 --as inverse-depth --scale 5.4")["distance_m"].as_f64().unwrap() - 0.54).abs() < 1e-12);
+    assert!((answer("0 --as inverse-depth --near 0.5 --far 80")["distance_m"].as_f64().unwrap() - 80.0).abs() < 1e-9);
+}
+
+#[test]
+fn any_other_encoding_by_its_factor_offset_and_mark() {
+    // Of the first Kinect, with 580 px and 75 mm.
+    let kinect = "--divide -8 --offset 1090 --invalid 2047 --fx 580 --baseline 75";
+    let value = answer(&format!("800 {kinect}"));
+    assert_eq!(value["disparity_px"], 36.25);
+    assert!((value["distance_m"].as_f64().unwrap() - 1.2).abs() < 1e-12);
+    assert!((answer("800 --as kinect1")["distance_m"].as_f64().unwrap() - 1.2).abs() < 1e-12);
+    assert_eq!(
+        answer(&format!("2047 {kinect}")),
+        json!({ "disparity_px": null, "distance_m": null, "no_match": true, "warnings": [] })
+    );
+}
+
+#[test]
+fn a_pixel_without_a_match_is_an_answer_and_a_distance_that_cannot_be_known_is_null() {
+    for (raw, name) in [
+        ("-16", "opencv"),
+        ("0", "kitti"),
+        ("0", "cityscapes"),
+        ("-32768", "ensenso"),
+        ("2047", "kinect1"),
+        ("inf", "zed"),
+        ("65535", "depth-mm"),
+        ("255,255,255", "carla"),
+    ] {
+        assert_eq!(answer(&format!("{raw} --as {name}"))["no_match"], true, "{name}");
+    }
+    assert_eq!(answer("12345 --as kitti")["distance_m"], Value::Null);
+    assert_eq!(
+        answer("50 --as zed --fx 700 --baseline 100")["distance_m"],
+        Value::Null,
+        "behind the cameras"
+    );
+    let (lines, _) = text("decode 12345 --as kitti");
+    assert_eq!(lines, ["disparity 48.22265625 px", "distance: needs --fx and --baseline"]);
+}
+
+#[test]
+fn a_file_of_16_bits_that_was_read_with_8_is_named() {
+    let value = answer("200 --as kitti");
+    assert!(
+        value["warnings"][0]["message"].as_str().unwrap().contains("IMREAD_UNCHANGED"),
+        "{value}"
+    );
+    assert_eq!(answer("12345 --as kitti")["warnings"], json!([]));
+}
+
+#[test]
+fn what_is_no_stored_number_says_what_to_do() {
+    for (arguments, words) in [
+        ("12.5 --as kitti", "divided already"),
+        ("70000 --as tum", "cannot be stored"),
+        ("foo --as tum", "such as 12345"),
+        ("100,20 --as carla", "three numbers"),
+        ("3 --as da3-metric", "needs --fx"),
+        ("0.5 --as fraction", "needs --width"),
+        ("5", "--as"),
+        ("5 --divide 0", "cannot be 0"),
+        ("5 --as inverse-depth --near 3 --far 2", "the larger"),
+        ("800 --as opencv --fx 700 --baseline -3", "above 0"),
+        ("800 --as opencv --fx abc", "abc"),
+    ] {
+        let said = refusal(arguments);
+        assert!(said.contains(words) && said.lines().count() == 1, "{arguments}: {said}");
+    }
+}
