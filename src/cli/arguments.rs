@@ -5,6 +5,7 @@ use super::decode::Decode;
 use super::help;
 use super::import::Import;
 use super::options::{Calculate, Ground};
+use super::presets::Presets;
 use super::q::Q;
 use super::step::Step;
 use clap::{Parser, Subcommand};
@@ -55,6 +56,9 @@ pub(super) enum Task {
     /// Decode a number that a picture or a network stores for a pixel: to a disparity, and to a distance
     #[command(after_long_help = help::DECODE)]
     Decode(Box<Decode>),
+    /// List the cameras that are known, or show one: focal length, baseline, zero point, each with its source
+    #[command(after_long_help = help::PRESETS)]
+    Presets(Presets),
     /// Print the completions of a shell, to be stored where it looks for them
     #[command(after_long_help = COMPLETIONS_HELP)]
     Completions {

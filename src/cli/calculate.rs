@@ -3,6 +3,7 @@
 use super::fill::fill;
 use super::json::Json;
 use super::options::{Calculate, method_of, name};
+use super::presets::asks_zero;
 use super::reply::Reply;
 use super::text::Text;
 use super::warning::Warning;
@@ -61,17 +62,23 @@ impl Calculate {
     /// The answer, or one sentence that says why there is none.
     pub(super) fn reply(&self) -> Result<Reply, String> {
         self.fields.refuse_empty()?;
+        let mut filled = self.clone();
+        if let Some(preset) = &self.preset {
+            let said = preset.fill(&mut filled.fields, self.solve_for)?;
+            let warnings = said.iter().map(|sentence| Warning::of_option("preset", sentence)).collect();
+            return filled.answer(warnings).map_err(|refusal| with(refusal, said));
+        }
+        if asks_zero(&self.fields) {
+            return Err("--zero preset is the zero point of a preset: say which with --preset.".to_owned());
+        }
         let Some(calibration) = &self.calibration else {
             return self.answer(Vec::new());
         };
-        let mut filled = self.clone();
         let stand = (self.object.unwrap_or_default(), self.pair.unwrap_or_default());
         let said = fill(calibration, &mut filled.fields, stand, self.solve_for)?;
         let warnings = said.iter().map(|sentence| Warning::of_option("from", sentence)).collect();
         // Why something is missing is what the files say of it.
-        filled
-            .answer(warnings)
-            .map_err(|refusal| [refusal].into_iter().chain(said).collect::<Vec<_>>().join(" "))
+        filled.answer(warnings).map_err(|refusal| with(refusal, said))
     }
 
     /// The answer, beside what was said of the files that it is from.
@@ -299,4 +306,9 @@ fn remarks(assessment: &Assessment) -> Vec<Warning> {
         }
     }
     remarks
+}
+
+/// `refusal`, and what may explain it.
+fn with(refusal: String, said: Vec<String>) -> String {
+    [refusal].into_iter().chain(said).collect::<Vec<_>>().join(" ")
 }

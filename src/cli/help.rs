@@ -102,6 +102,12 @@ Examples:
   depth-calculator decode 1400 --as depth-mm --json
   depth-calculator decode 100,20,1 --as carla";
 
+/// Of `presets`.
+pub(super) const PRESETS: &str = "\
+Examples:
+  depth-calculator presets realsense-d435i --width 640 --json
+  depth-calculator calculate --preset realsense-d435i --width 640 --disparity 20";
+
 /// Of `q`.
 pub(super) const Q: &str = "\
 The matrix is read from a calibration file of OpenCV (YAML, XML, JSON),

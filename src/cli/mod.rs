@@ -16,6 +16,7 @@ mod json;
 mod manual;
 mod options;
 mod parse;
+mod presets;
 mod q;
 mod reply;
 mod step;
@@ -87,6 +88,7 @@ fn answer(task: &Task) -> Result<Reply, String> {
         Task::Between(between) => between.reply(),
         Task::Import(import) => import.reply(),
         Task::Q(q) => q.reply(),
+        Task::Presets(presets) => presets.reply(),
         Task::Decode(decode) => decode.reply(),
         Task::Completions { shell } => Ok(Reply::without_warnings(completions::script(*shell))),
         Task::Man => {

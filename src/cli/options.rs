@@ -1,6 +1,7 @@
 //! The options that fill in fields, which are made from the table of fields, and those that every answer has.
 
 use super::calibration::{Calibration, file_unit};
+use super::presets::Chosen;
 use crate::core::problem::{Field, Method};
 use crate::core::quantity::{Length, LengthUnit};
 use crate::core::setup::{Object, Pair};
@@ -50,6 +51,8 @@ pub(super) struct Calculate {
     pub(super) pair: Option<Pair>,
     /// Where the rest is from.
     pub(super) calibration: Option<Calibration>,
+    /// The camera that everybody knows which the rest is of.
+    pub(super) preset: Option<Chosen>,
 }
 
 /// What was given to `ground`.
@@ -216,6 +219,8 @@ impl Args for Calculate {
             from_option(),
             camera_option(),
             file_unit_option(),
+            preset_option(),
+            width_option(),
         ])
     }
 
@@ -235,6 +240,10 @@ impl FromArgMatches for Calculate {
                 files: files.cloned().collect(),
                 file_unit: matches.get_one::<Length>("file-unit").copied(),
                 cameras: matches.get_many::<String>("camera").into_iter().flatten().cloned().collect(),
+            }),
+            preset: matches.get_one::<String>("preset").map(|name| Chosen {
+                name: name.clone(),
+                width: matches.get_one::<u32>("width").copied(),
             }),
         })
     }
@@ -300,6 +309,21 @@ fn from_option() -> Arg {
         .value_parser(ValueParser::path_buf())
         .value_hint(ValueHint::FilePath)
         .help("Calibration files that fx, baseline and doffs are taken from, where they are not given; - is standard input. See import")
+}
+
+fn preset_option() -> Arg {
+    Arg::new("preset").long("preset").value_name("NAME").conflicts_with("from").help(
+        "A camera that fx, baseline and doffs are taken from, where they are not given; with --zero preset the zero point too. See presets",
+    )
+}
+
+fn width_option() -> Arg {
+    Arg::new("width")
+        .long("width")
+        .value_name("PX")
+        .value_parser(clap::value_parser!(u32))
+        .requires("preset")
+        .help("The width of the images of the preset; without it the first in its list")
 }
 
 fn camera_option() -> Arg {

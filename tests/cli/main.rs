@@ -10,6 +10,7 @@ mod floor;
 mod import;
 mod json;
 mod options;
+mod presets;
 mod shell;
 mod text;
 

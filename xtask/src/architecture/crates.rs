@@ -13,6 +13,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("depth-figures", &["depth-core", "depth-text", "depth-generators"]),
     ("depth-files", &["depth-core"]),
     ("depth-vision", &["depth-core"]),
+    ("depth-presets", &["depth-core"]),
     ("depth-jobs", &["depth-core", "depth-files", "depth-vision"]),
     ("egui-mirror", &[]),
     (
@@ -23,6 +24,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "depth-figures",
             "depth-files",
             "depth-vision",
+            "depth-presets",
             "depth-jobs",
             "egui-mirror",
         ],

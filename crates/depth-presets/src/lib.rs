@@ -1,0 +1,101 @@
+//! Cameras that everybody knows, each with its basis and its source: assets/presets.json, checked when this is built.
+
+use depth_core::quantity::{Length, Pixels};
+
+/// What the figures of a preset are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// Those of one real camera; another one of its kind differs by a percent or so.
+    OneUnit,
+    /// The vendor's, which are nominal.
+    Vendor,
+    /// Computed from a nominal field of view.
+    Computed,
+    /// Those of a data set, for its own images.
+    DataSet,
+}
+
+impl Basis {
+    /// In words.
+    ///
+    /// ```
+    /// assert_eq!(depth_presets::Basis::OneUnit.name(), "one unit");
+    /// ```
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::OneUnit => "one unit",
+            Self::Vendor => "vendor",
+            Self::Computed => "computed",
+            Self::DataSet => "data set",
+        }
+    }
+}
+
+/// One size of the images of a camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mode {
+    /// Columns, where the source says it.
+    pub width: Option<u32>,
+    /// Rows, where the source says it.
+    pub height: Option<u32>,
+    /// At this size.
+    pub focal_length: Pixels,
+}
+
+/// A camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Preset {
+    /// What it is called on the command line: small letters, digits, hyphens.
+    pub name: &'static str,
+    /// What it is called elsewhere.
+    pub label: &'static str,
+    /// What its figures are.
+    pub basis: Basis,
+    /// Where they come from.
+    pub source: &'static str,
+    /// `None` where no two of its cameras are a stereo pair.
+    pub baseline: Option<Length>,
+    /// δ = cx_right − cx_left.
+    pub doffs: Pixels,
+    /// How far the front glass is in front of where distances are counted from.
+    pub zero: Option<Length>,
+    /// Where that comes from.
+    pub zero_source: Option<&'static str>,
+    /// The sizes of its images, the usual one first.
+    pub modes: &'static [Mode],
+}
+
+include!(concat!(env!("OUT_DIR"), "/presets.rs"));
+
+impl Preset {
+    /// The preset of this name or label, in capital or small letters.
+    ///
+    /// ```
+    /// use depth_presets::Preset;
+    ///
+    /// assert_eq!(Preset::named("RealSense D435i"), Preset::named("realsense-d435i"));
+    /// assert_eq!(Preset::named("no such camera"), None);
+    /// ```
+    pub fn named(name: &str) -> Option<&'static Self> {
+        let name = name.trim();
+        let is_it = |preset: &&Self| preset.name.eq_ignore_ascii_case(name) || preset.label.eq_ignore_ascii_case(name);
+        PRESETS.iter().find(is_it)
+    }
+
+    /// The mode of this width, or the first one; `None` where there is no mode of it.
+    ///
+    /// ```
+    /// use depth_presets::Preset;
+    ///
+    /// let d435i = Preset::named("realsense-d435i").unwrap();
+    /// // Scaled by 0.6 and cropped, not by one half.
+    /// assert_eq!(d435i.mode(Some(640)).unwrap().focal_length.px(), 378.806);
+    /// assert_eq!(d435i.mode(Some(320)), None);
+    /// ```
+    pub fn mode(&self, width: Option<u32>) -> Option<&'static Mode> {
+        match width {
+            None => self.modes.first(),
+            Some(width) => self.modes.iter().find(|mode| mode.width == Some(width)),
+        }
+    }
+}
