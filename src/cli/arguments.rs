@@ -7,6 +7,7 @@ use super::import::Import;
 use super::options::{Calculate, Ground};
 use super::presets::Presets;
 use super::q::Q;
+use super::sizes::Sizes;
 use super::step::Step;
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
@@ -59,6 +60,9 @@ pub(super) enum Task {
     /// List the cameras that are known, or show one: focal length, baseline, zero point, each with its source
     #[command(after_long_help = help::PRESETS)]
     Presets(Presets),
+    /// List the objects of known size, or show one: for one camera and no tape
+    #[command(after_long_help = help::SIZES)]
+    Sizes(Sizes),
     /// Print the completions of a shell, to be stored where it looks for them
     #[command(after_long_help = COMPLETIONS_HELP)]
     Completions {

@@ -5,6 +5,7 @@ use super::json::Json;
 use super::options::{Calculate, method_of, name};
 use super::presets::asks_zero;
 use super::reply::Reply;
+use super::sizes;
 use super::text::Text;
 use super::warning::Warning;
 use crate::core::in_image::InImage;
@@ -63,20 +64,26 @@ impl Calculate {
     pub(super) fn reply(&self) -> Result<Reply, String> {
         self.fields.refuse_empty()?;
         let mut filled = self.clone();
+        let mut warnings = Vec::new();
+        if let Some(name) = &self.known {
+            let (object, said) = sizes::fill(name, &mut filled.fields, self.solve_for)?;
+            filled.object.get_or_insert(object);
+            warnings.push(Warning::of_option("known", &said));
+        }
         if let Some(preset) = &self.preset {
             let said = preset.fill(&mut filled.fields, self.solve_for)?;
-            let warnings = said.iter().map(|sentence| Warning::of_option("preset", sentence)).collect();
-            return filled.answer(warnings).map_err(|refusal| with(refusal, said));
+            warnings.push(Warning::of_option("preset", &said));
+            return filled.answer(warnings).map_err(|refusal| with(refusal, vec![said]));
         }
         if asks_zero(&self.fields) {
             return Err("--zero preset is the zero point of a preset: say which with --preset.".to_owned());
         }
         let Some(calibration) = &self.calibration else {
-            return self.answer(Vec::new());
+            return filled.answer(warnings);
         };
-        let stand = (self.object.unwrap_or_default(), self.pair.unwrap_or_default());
+        let stand = (filled.object.unwrap_or_default(), self.pair.unwrap_or_default());
         let said = fill(calibration, &mut filled.fields, stand, self.solve_for)?;
-        let warnings = said.iter().map(|sentence| Warning::of_option("from", sentence)).collect();
+        warnings.extend(said.iter().map(|sentence| Warning::of_option("from", sentence)));
         // Why something is missing is what the files say of it.
         filled.answer(warnings).map_err(|refusal| with(refusal, said))
     }

@@ -108,6 +108,11 @@ Examples:
   depth-calculator presets realsense-d435i --width 640 --json
   depth-calculator calculate --preset realsense-d435i --width 640 --disparity 20";
 
+/// Of `sizes`.
+pub(super) const SIZES: &str = "\
+Example:
+  depth-calculator calculate --fx 700 --w-img 310 --known card";
+
 /// Of `q`.
 pub(super) const Q: &str = "\
 The matrix is read from a calibration file of OpenCV (YAML, XML, JSON),

@@ -19,6 +19,7 @@ mod parse;
 mod presets;
 mod q;
 mod reply;
+mod sizes;
 mod step;
 mod text;
 mod warning;
@@ -89,6 +90,7 @@ fn answer(task: &Task) -> Result<Reply, String> {
         Task::Import(import) => import.reply(),
         Task::Q(q) => q.reply(),
         Task::Presets(presets) => presets.reply(),
+        Task::Sizes(sizes) => sizes.reply(),
         Task::Decode(decode) => decode.reply(),
         Task::Completions { shell } => Ok(Reply::without_warnings(completions::script(*shell))),
         Task::Man => {

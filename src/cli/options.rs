@@ -53,6 +53,8 @@ pub(super) struct Calculate {
     pub(super) calibration: Option<Calibration>,
     /// The camera that everybody knows which the rest is of.
     pub(super) preset: Option<Chosen>,
+    /// The object of known size whose size the real width is.
+    pub(super) known: Option<String>,
 }
 
 /// What was given to `ground`.
@@ -221,6 +223,7 @@ impl Args for Calculate {
             file_unit_option(),
             preset_option(),
             width_option(),
+            known_option(),
         ])
     }
 
@@ -245,6 +248,7 @@ impl FromArgMatches for Calculate {
                 name: name.clone(),
                 width: matches.get_one::<u32>("width").copied(),
             }),
+            known: matches.get_one::<String>("known").cloned(),
         })
     }
 
@@ -315,6 +319,13 @@ fn preset_option() -> Arg {
     Arg::new("preset").long("preset").value_name("NAME").conflicts_with("from").help(
         "A camera that fx, baseline and doffs are taken from, where they are not given; with --zero preset the zero point too. See presets",
     )
+}
+
+fn known_option() -> Arg {
+    Arg::new("known")
+        .long("known")
+        .value_name("NAME")
+        .help("An object that --w-real and its uncertainty are taken from, where they are not given. See sizes")
 }
 
 fn width_option() -> Arg {

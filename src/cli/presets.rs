@@ -86,7 +86,7 @@ impl Presets {
 
 impl Chosen {
     /// Fills in what was not typed. Returns what is to be said of it. Err: a sentence, where there is no such preset.
-    pub(super) fn fill(&self, typed: &mut Typed, unknown: Option<Key>) -> Result<Vec<String>, String> {
+    pub(super) fn fill(&self, typed: &mut Typed, unknown: Option<Key>) -> Result<String, String> {
         let (preset, mode) = find(&self.name, self.width)?;
         let zero = typed
             .typed
@@ -111,12 +111,12 @@ impl Chosen {
         let doffs = Some(preset.doffs.px()).filter(|doffs| *doffs != 0.0);
         fill(fields::DOFFS, "doffs", doffs.map(|doffs| format!("{} px", number(doffs))));
         let of = size(mode).map_or_else(String::new, |size| format!(" at {size} px"));
-        Ok(vec![if filled.is_empty() {
+        Ok(if filled.is_empty() {
             format!("Nothing of {} is used: all was typed.", preset.label)
         } else {
             let (values, basis) = (filled.join(", "), basis_in_words(preset));
             format!("{}{of}: {values}; {basis}: {}.", preset.label, preset.source)
-        }])
+        })
     }
 }
 

@@ -12,6 +12,7 @@ mod json;
 mod options;
 mod presets;
 mod shell;
+mod sizes;
 mod text;
 
 use serde_json::Value;

@@ -1,6 +1,7 @@
-//! Cameras that everybody knows, each with its basis and its source: assets/presets.json, checked when this is built.
+//! Cameras and objects that everybody knows, each with its source: assets/presets.json and assets/sizes.json, checked when this is built.
 
 use depth_core::quantity::{Length, Pixels};
+use depth_core::setup::Object;
 
 /// What the figures of a preset are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,7 +66,39 @@ pub struct Preset {
     pub modes: &'static [Mode],
 }
 
-include!(concat!(env!("OUT_DIR"), "/presets.rs"));
+/// An object of known size.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Size {
+    /// What it is called on the command line: small letters, digits, hyphens.
+    pub name: &'static str,
+    /// What it is called elsewhere, with what of it is measured.
+    pub label: &'static str,
+    /// What of it is measured.
+    pub object: Object,
+    /// How large it is.
+    pub size: Length,
+    /// One standard deviation, where its source says how much it varies.
+    pub sigma: Option<Length>,
+    /// Where that comes from.
+    pub source: &'static str,
+}
+
+include!(concat!(env!("OUT_DIR"), "/known.rs"));
+
+impl Size {
+    /// The size of this name or label, in capital or small letters.
+    ///
+    /// ```
+    /// use depth_presets::Size;
+    ///
+    /// assert_eq!(Size::named("card").unwrap().size.m(), 0.0856);
+    /// ```
+    pub fn named(name: &str) -> Option<&'static Self> {
+        let name = name.trim();
+        let is_it = |size: &&Self| size.name.eq_ignore_ascii_case(name) || size.label.eq_ignore_ascii_case(name);
+        SIZES.iter().find(is_it)
+    }
+}
 
 impl Preset {
     /// The preset of this name or label, in capital or small letters.
