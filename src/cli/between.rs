@@ -169,6 +169,5 @@ fn json(points: &TwoPointsSolution, warnings: &[Warning]) -> Result<Reply, Strin
         sigma_dz_m: sigma(points.dz.sigma.m()),
         warnings,
     };
-    let text = serde_json::to_string_pretty(&answer).map_err(|error| error.to_string())?;
-    Ok(Reply::without_warnings(text + "\n"))
+    Reply::json(&answer)
 }

@@ -136,8 +136,7 @@ impl Decode {
         let eight_bits = self.eight_bits(raw, &answer);
         answer.warnings.extend(eight_bits.as_ref().map(Warning::of_results));
         if self.json {
-            let text = serde_json::to_string_pretty(&answer).map_err(|error| error.to_string())?;
-            return Ok(Reply::without_warnings(text + "\n"));
+            return Reply::json(&answer);
         }
         Ok(Reply {
             text: answer.lines(&given),

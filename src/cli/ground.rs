@@ -101,6 +101,5 @@ fn json(ground: &GroundSolution, warnings: &[Warning]) -> Result<Reply, String> 
         sigma_m: (sigma > 0.0).then_some(sigma),
         warnings,
     };
-    let text = serde_json::to_string_pretty(&answer).map_err(|error| error.to_string())?;
-    Ok(Reply::without_warnings(text + "\n"))
+    Reply::json(&answer)
 }

@@ -90,8 +90,7 @@ impl Import {
             .chain(calibration.unused_unit(&found))
             .collect();
         if self.options.json {
-            let text = serde_json::to_string_pretty(&self.answer(found, warnings)).map_err(|error| error.to_string())?;
-            return Ok(Reply::without_warnings(text + "\n"));
+            return Reply::json(&self.answer(found, warnings));
         }
         Ok(Reply {
             text: self.lines(&found),

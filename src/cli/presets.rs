@@ -68,19 +68,13 @@ impl Answer {
 impl Presets {
     /// The answer, or one sentence that says why there is none.
     pub(super) fn reply(&self) -> Result<Reply, String> {
-        let answer = match &self.name {
-            None if self.json => to_json(&PRESETS.iter().filter_map(usual).collect::<Vec<_>>())?,
-            None => list(),
-            Some(name) => {
-                let (preset, mode) = find(name, self.width)?;
-                if self.json {
-                    to_json(&Answer::of(preset, mode))?
-                } else {
-                    lines(preset)
-                }
-            }
-        };
-        Ok(Reply::without_warnings(answer))
+        let one = self.name.as_ref().map(|name| find(name, self.width)).transpose()?;
+        match (one, self.json) {
+            (Some((preset, mode)), true) => Reply::json(&Answer::of(preset, mode)),
+            (Some((preset, _)), false) => Ok(Reply::without_warnings(lines(preset))),
+            (None, true) => Reply::json(&PRESETS.iter().filter_map(usual).collect::<Vec<_>>()),
+            (None, false) => Ok(Reply::without_warnings(list())),
+        }
     }
 }
 
@@ -212,9 +206,4 @@ fn lines(preset: &Preset) -> String {
         text.push_str(&format!("zero point {} mm in front ({source})\n", number(zero.m() * 1000.0)));
     }
     text
-}
-
-fn to_json(answer: &impl Serialize) -> Result<String, String> {
-    let text = serde_json::to_string_pretty(answer).map_err(|error| error.to_string())?;
-    Ok(text + "\n")
 }

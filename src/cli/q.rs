@@ -51,8 +51,7 @@ impl Q {
                 cy: geometry.cy.px(),
                 warnings,
             };
-            let text = serde_json::to_string_pretty(&answer).map_err(|error| error.to_string())?;
-            return Ok(Reply::without_warnings(text + "\n"));
+            return Reply::json(&answer);
         }
         let text = self.lines(&geometry);
         Ok(Reply { text, warnings })

@@ -1,5 +1,7 @@
 //! What a call is answered with.
 
+use serde::Serialize;
+
 /// An answer.
 pub(super) struct Reply {
     /// For standard output, line ends included.
@@ -9,6 +11,12 @@ pub(super) struct Reply {
 }
 
 impl Reply {
+    /// `answer` in JSON, with a line end behind it.
+    pub(super) fn json(answer: &impl Serialize) -> Result<Self, String> {
+        let text = serde_json::to_string_pretty(answer).map_err(|error| error.to_string())?;
+        Ok(Self::without_warnings(text + "\n"))
+    }
+
     pub(super) const fn without_warnings(text: String) -> Self {
         Self {
             text,

@@ -47,13 +47,17 @@ impl Sizes {
     /// The answer, or one sentence that says why there is none.
     pub(super) fn reply(&self) -> Result<Reply, String> {
         let one = self.name.as_deref().map(find).transpose()?;
-        let text = match (one, self.json) {
-            (Some(size), true) => to_json(&Answer::from(size))?,
-            (Some(size), false) => format!("{}: {}\n{}\n", size.label, in_words(size), size.source),
-            (None, true) => to_json(&SIZES.iter().map(Answer::from).collect::<Vec<_>>())?,
-            (None, false) => list(),
-        };
-        Ok(Reply::without_warnings(text))
+        match (one, self.json) {
+            (Some(size), true) => Reply::json(&Answer::from(size)),
+            (Some(size), false) => Ok(Reply::without_warnings(format!(
+                "{}: {}\n{}\n",
+                size.label,
+                in_words(size),
+                size.source
+            ))),
+            (None, true) => Reply::json(&SIZES.iter().map(Answer::from).collect::<Vec<_>>()),
+            (None, false) => Ok(Reply::without_warnings(list())),
+        }
     }
 }
 
@@ -97,9 +101,4 @@ fn list() -> String {
     let width = SIZES.iter().map(|size| size.name.len()).max().unwrap_or_default();
     let line = |size: &Size| format!("{:<width$}  {:<22}  {}\n", size.name, in_words(size), size.label);
     SIZES.iter().map(line).collect()
-}
-
-fn to_json(answer: &impl Serialize) -> Result<String, String> {
-    let text = serde_json::to_string_pretty(answer).map_err(|error| error.to_string())?;
-    Ok(text + "\n")
 }

@@ -128,6 +128,5 @@ fn json(shots: &TwoShots, warnings: &[Warning]) -> Result<Reply, String> {
         sigma_size_m: solution.size.map(|size| size.sigma.m()),
         warnings,
     };
-    let text = serde_json::to_string_pretty(&answer).map_err(|error| error.to_string())?;
-    Ok(Reply::without_warnings(text + "\n"))
+    Reply::json(&answer)
 }
