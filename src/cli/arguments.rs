@@ -1,6 +1,7 @@
 //! What can be typed: commands, their arguments and their help.
 
 use super::between::Between;
+use super::camera::Camera;
 use super::decode::Decode;
 use super::help;
 use super::import::Import;
@@ -54,6 +55,9 @@ pub(super) enum Task {
     /// Read focal length, baseline and doffs from a Q matrix of stereoRectify
     #[command(after_long_help = help::Q)]
     Q(Q),
+    /// Turn what a data sheet or a simulator says of a camera into its focal length in pixels, and back
+    #[command(after_long_help = help::CAMERA)]
+    Camera(Box<Camera>),
     /// Decode a number that a picture or a network stores for a pixel: to a disparity, and to a distance
     #[command(after_long_help = help::DECODE)]
     Decode(Box<Decode>),

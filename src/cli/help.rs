@@ -94,6 +94,14 @@ Examples:
   depth-calculator import SN1234.conf --camera 'left HD,right HD'
   depth-calculator calculate --from calib.txt --disparity 50";
 
+/// Of `camera`.
+pub(super) const CAMERA: &str = "\
+Examples:
+  depth-calculator camera --width 1920 --height 1080 --dfov 78
+  depth-calculator camera --width 4032 --height 3024 --f35 26mm
+  depth-calculator camera --width 1600 --height 800 --lens 8mm \\
+      --sensor-width 9.6mm --sensor-height 7.2mm";
+
 /// Of `decode`.
 pub(super) const DECODE: &str = "\
 Examples:

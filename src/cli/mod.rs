@@ -5,6 +5,8 @@ mod ascii;
 mod between;
 mod calculate;
 mod calibration;
+mod camera;
+mod camera_facts;
 mod completions;
 mod decode;
 mod file;
@@ -89,6 +91,7 @@ fn answer(task: &Task) -> Result<Reply, String> {
         Task::Between(between) => between.reply(),
         Task::Import(import) => import.reply(),
         Task::Q(q) => q.reply(),
+        Task::Camera(camera) => camera.reply(),
         Task::Presets(presets) => presets.reply(),
         Task::Sizes(sizes) => sizes.reply(),
         Task::Decode(decode) => decode.reply(),

@@ -1,6 +1,7 @@
 //! The command line, as a shell sees it: answers, exit status, what is said on stderr.
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, missing_docs, reason = "tests")]
 
+mod camera;
 mod contradictions;
 mod counted;
 mod decode;

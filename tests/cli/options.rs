@@ -141,16 +141,12 @@ fn a_refusal_keeps_the_tip_that_helps() {
 
 #[test]
 fn a_command_that_there_is_not_is_refused_with_those_that_there_are() {
-    assert!(
-        refused("frobnicate").contains(
-            "the commands are calculate, ground, step, between, import, q, decode, presets, sizes, completions, man (see --help)"
-        )
-    );
-    assert!(
-        refused("calculates").contains(
-            "the commands are calculate, ground, step, between, import, q, decode, presets, sizes, completions, man (see --help)"
-        )
-    );
+    assert!(refused("frobnicate").contains(
+        "the commands are calculate, ground, step, between, import, q, camera, decode, presets, sizes, completions, man (see --help)"
+    ));
+    assert!(refused("calculates").contains(
+        "the commands are calculate, ground, step, between, import, q, camera, decode, presets, sizes, completions, man (see --help)"
+    ));
 }
 
 /// A variable of a script that was not set, behind the sign.

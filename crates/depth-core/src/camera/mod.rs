@@ -5,12 +5,15 @@
 //!
 //! `None` from a function here means: an input is not positive, or the result cannot be represented.
 
+mod film;
 mod focal_length;
 mod ground;
 mod intrinsics;
 mod point;
+mod projection;
 mod tilt;
 
+pub use film::{FilmExtent, focal_length_under_water, focused_image_distance, focused_lens};
 pub use focal_length::{
     diagonal, focal_length_from_field_of_view, focal_length_from_multiple, focal_length_from_pixel_pitch,
     focal_length_from_reference_photo, focal_length_from_sensor_width, resized_focal_length,
@@ -18,4 +21,5 @@ pub use focal_length::{
 pub use ground::{BelowAxis, GroundSolution, GroundView, RightOfAxis};
 pub use intrinsics::{Intrinsics, OnSensor, field_of_view, pixel_size, subtended_angle};
 pub use point::{Along, PointSolution, PointView};
+pub use projection::Projection;
 pub use tilt::foreshortened;
