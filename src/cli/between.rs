@@ -1,8 +1,9 @@
 //! `between`: the length between two points that a stereo pair sees.
 
 use super::ascii::in_sentence;
-use super::options::{SIGMA_DISPARITY, Typed, UNCERTAINTY, chosen, name, pair_option};
+use super::options::{chosen, pair_option};
 use super::reply::Reply;
+use super::typed::{SIGMA_DISPARITY, Typed, UNCERTAINTY, name};
 use super::warning::Warning;
 use crate::core::setup::Pair;
 use crate::core::two_points::TwoPointsSolution;

@@ -2,11 +2,12 @@
 
 use super::fill::fill;
 use super::json::Json;
-use super::options::{Calculate, method_of, name};
+use super::options::{Calculate, method_of};
 use super::presets::asks_zero;
 use super::reply::Reply;
 use super::sizes;
 use super::text::Text;
+use super::typed::name;
 use super::warning::Warning;
 use crate::core::in_image::InImage;
 use crate::core::problem::{Field, Method, Outcome};

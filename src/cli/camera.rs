@@ -1,6 +1,6 @@
 //! `camera`: what data sheets, photographers and simulators say of a camera, as its focal length in pixels, and all the others from it.
 
-use super::camera_facts::{Fact, FactKind, Quantity, read};
+use super::camera_facts::{Fact, FactKind, Quantity, TOLERANCE, number, read};
 use super::reply::Reply;
 use super::warning::Warning;
 use crate::core::angle::Angle;
@@ -8,7 +8,6 @@ use crate::core::camera::{FilmExtent, Projection, focal_length_under_water, focu
 use crate::core::quantity::{Length, Pixels};
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
-use depth_text::number::{Notation, TYPED_DIGITS};
 use serde::Serialize;
 
 /// What was given to `camera`.
@@ -245,17 +244,11 @@ impl Camera {
 
 /// In degrees. Wider lenses distort on purpose.
 const MOST_OF_A_PINHOLE: f64 = 100.0;
-/// So much may two sides of a sensor, or two facts, differ: data sheets round.
-pub(super) const TOLERANCE: f64 = 0.02;
 const UNDER_WATER: &str = "Was fx calibrated in the water? Then leave out --water, as it is in fx already. fx and fy are 1.333 times those in air, an \
                            approximation for a flat window and the middle of the image.";
 
 fn optional(name: &str, text: Option<&str>, quantity: Quantity) -> Result<Option<Length>, String> {
     text.map(|text| read(name, text, quantity).map(Length::from_m)).transpose()
-}
-
-pub(super) fn number(value: f64) -> String {
-    Notation::LONG.plain(value, TYPED_DIGITS.min(6))
 }
 
 impl Answer {

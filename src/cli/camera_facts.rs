@@ -1,13 +1,22 @@
 //! The facts that `camera` is told, each as a focal length in pixels.
 
-use super::camera::{TOLERANCE, number};
 use crate::core::angle::{Angle, AngleUnit};
 use crate::core::camera::{
     FilmExtent, Projection, diagonal, focal_length_from_multiple, focal_length_from_pixel_pitch, focused_image_distance,
 };
 use crate::core::quantity::{Length, LengthUnit, Pixels};
-use depth_text::number::{self, Primes};
+use depth_text::number::{self, Notation, Primes};
 use depth_text::unit::Unit;
+
+/// So much may two sides of a sensor, or two facts, differ: data sheets round.
+pub(super) const TOLERANCE: f64 = 0.02;
+/// More digits no data sheet has.
+const DIGITS: usize = 6;
+
+/// As a data sheet would have it.
+pub(super) fn number(value: f64) -> String {
+    Notation::LONG.plain(value, DIGITS)
+}
 
 /// What can be stated of a camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -206,7 +215,7 @@ impl Known {
     fn contradiction(name: &str, facts: &[&Self]) -> Option<String> {
         let (first, rest) = facts.split_first()?;
         let differs = |fact: &&Self| (fact.focal_length.px() / first.focal_length.px() - 1.0).abs() > TOLERANCE;
-        if !rest.iter().any(|fact| differs(fact)) {
+        if !rest.iter().any(differs) {
             return None;
         }
         let say = |fact: &&Self| format!("--{} {} is {} px", fact.kind.option(), fact.text, number(fact.focal_length.px()));

@@ -1,7 +1,7 @@
 //! What calibration files fill in beside the options.
 
 use super::calibration::Calibration;
-use super::options::Typed;
+use super::typed::Typed;
 use crate::core::setup::{Object, Pair};
 use depth_files::{Baseline, Camera, Format, Found, Warning};
 use depth_text::field::Key;

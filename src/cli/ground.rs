@@ -1,8 +1,9 @@
 //! `ground`: where a pixel's ray meets the floor.
 
 use super::ascii::in_sentence;
-use super::options::{Ground, name};
+use super::options::Ground;
 use super::reply::Reply;
+use super::typed::name;
 use super::warning::Warning;
 use crate::core::camera::GroundSolution;
 use depth_text::field::{Key, Section};

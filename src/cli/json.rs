@@ -1,7 +1,7 @@
 //! The answer for a program to read.
 
 use super::ascii::in_sentence;
-use super::options::name;
+use super::typed::name;
 use super::warning::Warning;
 use crate::core::agreement::Verdict;
 use crate::core::angle::AngleUnit;

@@ -24,6 +24,7 @@ mod reply;
 mod sizes;
 mod step;
 mod text;
+mod typed;
 mod warning;
 
 use depth_text::sentences::CommandLine;

@@ -1,7 +1,7 @@
 //! `presets`: the cameras that are known, and what `calculate --preset` fills in of one.
 
-use super::options::Typed;
 use super::reply::Reply;
+use super::typed::Typed;
 use clap::Args;
 use depth_presets::{Mode, PRESETS, Preset};
 use depth_text::field::Key;

@@ -1,7 +1,7 @@
 //! `sizes`: objects whose size is known, and what `calculate --known` fills in of one.
 
-use super::options::Typed;
 use super::reply::Reply;
+use super::typed::Typed;
 use crate::core::quantity::Length;
 use crate::core::setup::Object;
 use clap::Args;

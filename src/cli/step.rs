@@ -1,8 +1,8 @@
 //! `step`: how far away something of unknown size is, from two photographs and the step between them.
 
 use super::ascii::in_sentence;
-use super::options::{Typed, UNCERTAINTY, name};
 use super::reply::Reply;
+use super::typed::{Typed, UNCERTAINTY, name};
 use super::warning::Warning;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use depth_text::field::{Key, Section};

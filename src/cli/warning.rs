@@ -1,7 +1,7 @@
 //! What is said about an option without refusing it.
 
 use super::ascii::in_sentence;
-use super::options::{Typed, name};
+use super::typed::{Typed, name};
 use depth_text::field::Key;
 use depth_text::note::{Note, Part};
 use serde::Serialize;

@@ -15,7 +15,7 @@ fn camera(arguments: &str) -> Value {
 }
 
 fn is(value: &Value, key: &str, expected: f64, tolerance: f64) {
-    let found = value[key].as_f64().unwrap_or_else(|| panic!("{key}: {value}"));
+    let found = value[key].as_f64().unwrap_or(f64::NAN);
     assert!((found - expected).abs() < tolerance, "{key} is {found}, not {expected}");
 }
 
