@@ -196,6 +196,31 @@ fn undo_in_a_field_does_not_bring_the_text_of_a_rig_that_is_gone() {
 }
 
 #[test]
+fn a_camera_that_everybody_knows_is_a_rig_with_its_source() {
+    let mut program = Program::new();
+    program.type_into(D, "20");
+    program.show("Rigs");
+    program.choose("Known camera", "RealSense D435i, 640 × 480 px");
+    assert_eq!(
+        (program.value("Name"), program.value(FX)),
+        ("RealSense D435i".to_owned(), "378.806".to_owned())
+    );
+    assert_eq!(
+        (program.value(B), program.value("Width of the image")),
+        ("49.864".to_owned(), "640".to_owned())
+    );
+    assert!(
+        program.value("Source").contains("one unit: librealsense"),
+        "{}",
+        program.value("Source")
+    );
+    // Distances count from the sensor until somebody says that they count from the glass.
+    assert!(program.value("Source").contains("4.2 mm in front"));
+    program.press("Use in calculator");
+    assert!(program.says("0.9444 m"), "{}", program.text());
+}
+
+#[test]
 fn six_rigs_are_the_most_and_a_file_of_rigs_brings_them_back() {
     let mut program = Program::new();
     program.show("Rigs");

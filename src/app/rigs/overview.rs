@@ -5,7 +5,9 @@ use super::rig::{MOST, Rig};
 use crate::app::command::Command;
 use crate::app::context::AppContext;
 use crate::app::theme;
+use crate::app::widgets::menu::List;
 use crate::app::widgets::{choice, text};
+use depth_presets::{Mode, PRESETS, Preset};
 use depth_text::fields;
 use depth_text::reading;
 use egui::accesskit::{Role, Toggled};
@@ -20,7 +22,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     if cx.settings.rigs.all.is_empty() {
         text::paragraph_ui(
             ui,
-            "Keep the cameras that you work with: open a calibration file, drop one on the window, or type the numbers in. Nothing leaves this computer.",
+            "Keep the cameras that you work with: open a calibration file, drop one on the window, choose one that everybody knows, or type the numbers in. Nothing leaves this computer.",
         );
     } else {
         list_ui(ui, cx);
@@ -162,4 +164,33 @@ fn buttons_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
             button_ui(Command::ExportRigs, true);
         }
     });
+    if has_room {
+        ui.add_space(2.0 * theme::STEP);
+        presets_ui(ui, cx);
+    }
+}
+
+/// The cameras that everybody knows, each with the sizes of its images.
+fn presets_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    let all: Vec<(&Preset, &Mode)> = PRESETS
+        .iter()
+        .flat_map(|preset| preset.modes.iter().map(move |mode| (preset, mode)))
+        .collect();
+    let name = |(preset, mode): &(&Preset, &Mode)| match (mode.width, mode.height) {
+        (Some(width), Some(height)) => format!("{}, {width} × {height} px", preset.label),
+        (Some(width), None) => format!("{}, {width} px wide", preset.label),
+        _ => preset.label.to_owned(),
+    };
+    let names: Vec<String> = all.iter().map(name).collect();
+    let list = List {
+        name: "Known camera",
+        shown: "Add a known camera…",
+        width: ui.available_width(),
+        names: &names,
+        chosen: None,
+    };
+    let (_, now) = list.ui(ui, "cameras that everybody knows");
+    if let Some((preset, mode)) = now.and_then(|at| all.get(at)) {
+        cx.commands.push(Command::AddRig(Box::new(Rig::of_preset(preset, mode))));
+    }
 }

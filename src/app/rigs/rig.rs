@@ -1,9 +1,10 @@
 //! A rig: a camera or a pair of cameras, with what is known of it. What calibration files, the calculator and the list of rigs hand to
 //! each other.
 
-use crate::core::quantity::LengthUnit;
+use crate::core::quantity::{Length, LengthUnit};
 use crate::core::setup::Pair;
 use depth_jobs::{Baseline, Camera, Choice};
+use depth_presets::{Mode, Preset};
 use depth_text::entry::Entry;
 use depth_text::field::Key;
 use depth_text::fields;
@@ -75,6 +76,36 @@ impl Rig {
     /// Those of them that the calculator has.
     pub fn shared() -> impl Iterator<Item = Key> {
         Self::KEYS.into_iter().filter(|key| key.section.is_some())
+    }
+
+    /// A camera that everybody knows, with images of this size.
+    pub fn of_preset(preset: &Preset, mode: &Mode) -> Self {
+        let mut inputs = Inputs::default();
+        let mut fill = |key: Key, number: Option<String>, unit: Option<LengthUnit>| {
+            if let Some(text) = number {
+                *inputs.entry_mut(key) = Entry::new(text, unit);
+            }
+        };
+        let millimeters = |length: Option<Length>| length.map(|length| number(length.m() * 1000.0));
+        fill(fields::FRAME_WIDTH, mode.width.map(|side| side.to_string()), None);
+        fill(fields::FRAME_HEIGHT, mode.height.map(|side| side.to_string()), None);
+        fill(fields::FOCAL_LENGTH, Some(number(mode.focal_length.px())), None);
+        fill(fields::BASELINE, millimeters(preset.baseline), Some(LengthUnit::Millimeter));
+        let doffs = Some(preset.doffs.px()).filter(|doffs| *doffs != 0.0);
+        fill(fields::DOFFS, doffs.map(number), None);
+        let zero = preset.zero.map_or_else(String::new, |zero| {
+            let source = preset.zero_source.unwrap_or_default();
+            format!(
+                "; the front glass is {} mm in front of where it counts from ({source})",
+                number(zero.m() * 1000.0)
+            )
+        });
+        Self {
+            name: preset.label.to_owned(),
+            source: format!("{}: {}{zero}", preset.basis.name(), preset.source),
+            inputs,
+            ..Self::default()
+        }
     }
 
     /// What was chosen of files of this format, with these `names`; the unit of its baseline, where the files do not say it.

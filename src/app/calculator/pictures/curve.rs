@@ -57,6 +57,8 @@ impl CurveCard {
         let size = cards::inner_size(ui, height);
         frame.ui(ui, card, |ui| {
             let (rect, response) = ui.allocate_exact_size(size, Sense::CLICK);
+            // Before the point on it, which a finger that explores the page finds on top.
+            describe(ui, cx, card, &response);
             let axes = self.axes_of(ui, &model);
             let bare = model.layout(
                 size.x,
@@ -91,7 +93,6 @@ impl CurveCard {
                 ui.painter()
                     .circle_stroke(at, theme::HANDLE_HALO, Stroke::new(theme::THIN_LINE, color));
             }
-            describe(ui, cx, card, &response);
             chart::menu_ui(&response, card.title(), cx.commands);
         });
     }
