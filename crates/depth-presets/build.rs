@@ -30,6 +30,9 @@ struct Preset {
     source: String,
     baseline_mm: Option<f64>,
     doffs_px: Option<f64>,
+    /// Where each scene has its own.
+    #[serde(default)]
+    doffs_unknown: bool,
     zero_mm: Option<f64>,
     zero_source: Option<String>,
     /// Width, height, and focal length in pixels.
@@ -74,6 +77,16 @@ impl Preset {
     }
 }
 
+impl Preset {
+    /// Unknown also where there is no pair.
+    fn doffs(&self) -> String {
+        if self.doffs_unknown || self.baseline_mm.is_none() {
+            return "None".to_owned();
+        }
+        format!("Some(Pixels::new({:?}))", self.doffs_px.unwrap_or(0.0))
+    }
+}
+
 impl Entry for Preset {
     fn name(&self) -> &str {
         &self.name
@@ -109,13 +122,13 @@ impl Entry for Preset {
             .map(|(width, height, fx)| format!("Mode {{ width: {width:?}, height: {height:?}, focal_length: Pixels::new({fx:?}) }}"))
             .collect();
         format!(
-            "Preset {{ name: {:?}, label: {:?}, basis: Basis::{}, source: {:?}, baseline: {}, doffs: Pixels::new({:?}), zero: {}, zero_source: {:?}, modes: &[{}] }},",
+            "Preset {{ name: {:?}, label: {:?}, basis: Basis::{}, source: {:?}, baseline: {}, doffs: {}, zero: {}, zero_source: {:?}, modes: &[{}] }},",
             self.name,
             self.label,
             self.basis().unwrap_or_default(),
             self.source,
             length(self.baseline_mm),
-            self.doffs_px.unwrap_or(0.0),
+            self.doffs(),
             length(self.zero_mm),
             self.zero_source,
             modes.join(", ")

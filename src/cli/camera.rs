@@ -1,6 +1,6 @@
 //! `camera`: what data sheets, photographers and simulators say of a camera, as its focal length in pixels, and all the others from it.
 
-use super::camera_facts::{Fact, FactKind, Quantity, TOLERANCE, number, read};
+use super::camera_facts::{Fact, FactKind, Quantity, TOLERANCE, number, optional, read};
 use super::reply::Reply;
 use super::warning::Warning;
 use crate::core::angle::Angle;
@@ -128,18 +128,20 @@ impl Camera {
         let [width, height] = size;
         let size = [width?, height?];
         let pitch = self.pitch(size, &mut warnings)?;
-        let focused_at = optional("focused-at", self.focused_at.as_deref(), Quantity::Meters)?;
+        let focused_at = optional("focused-at", self.focused_at.as_deref(), Quantity::Meters)?.map(Length::from_m);
         let mut facts = Vec::new();
         for (kind, text) in &self.facts {
-            facts.push(Fact::read(*kind, text, self.projection)?.focal_length(size, (pitch, focused_at))?);
+            let fact = Fact::read(*kind, text, self.projection)?;
+            warnings.extend(fact.radians().map(|said| Warning::of_option(kind.option(), &said)));
+            facts.push(fact.focal_length(size, (pitch, focused_at))?);
         }
-        let Some([fx, fy]) = Fact::focal_lengths(&facts) else {
+        let Some(([fx, fy], said)) = Fact::focal_lengths(&facts) else {
             return Err(
                 "Nothing says the focal length: add --fx, --hfov, --vfov, --dfov, --lens with the sensor or its pixels, or --f35."
                     .to_owned(),
             );
         };
-        warnings.extend(Fact::contradiction(&facts).map(|said| Warning::of_results(&said)));
+        warnings.extend(said.iter().map(Warning::of_results));
         let widest = facts.iter().filter_map(|fact| fact.view).map(Angle::degrees).fold(0.0, f64::max);
         if self.projection == Projection::Pinhole && widest > MOST_OF_A_PINHOLE {
             warnings.push(Warning::of_results(&self.as_fisheye(size, widest)));
@@ -182,43 +184,49 @@ impl Camera {
     }
 
     /// The size of a pixel: the stated one, or that of the sensor. Where rows or columns were cut, its own side has more pixels.
-    fn pitch(&self, [width, height]: [Pixels; 2], warnings: &mut Vec<Warning>) -> Result<Option<Length>, String> {
-        if let Some(text) = &self.pitch {
-            return read("pixel-pitch", text, Quantity::Micrometers).map(|pitch| Some(Length::from_m(pitch)));
-        }
+    fn pitch(&self, size: [Pixels; 2], warnings: &mut Vec<Warning>) -> Result<Option<Length>, String> {
+        let [width, height] = size.map(Pixels::px);
         let side = |at: usize| {
-            optional(
-                SENSOR.get(at).copied().unwrap_or_default(),
-                self.sensor.get(at).and_then(Option::as_deref),
-                Quantity::Millimeters,
-            )
+            let option = SENSOR.get(at).copied().unwrap_or_default();
+            optional(option, self.sensor.get(at).and_then(Option::as_deref), Quantity::Millimeters)
         };
         let (across, down, diagonal) = (side(0)?, side(1)?, side(2)?);
-        let of = |length: Option<Length>, pixels: f64| length.map(|length| length.m() / pixels);
-        let by_sides = (of(across, width.px()), of(down, height.px()));
-        let pitch = match by_sides {
-            (Some(x), Some(y)) => {
-                let pitch = x.min(y);
-                if (x / y - 1.0).abs() > TOLERANCE {
-                    let (what, all, left) = if y > x {
-                        ("rows", down.map_or(0.0, Length::m) / pitch, height.px())
-                    } else {
-                        ("columns", across.map_or(0.0, Length::m) / pitch, width.px())
-                    };
-                    let said = format!(
-                        "The image and the sensor have not the same shape: with square pixels of {} um the sensor has {} {what}, of which the \
-                         image has {}. So {what} were cut, which changes neither fx nor fy.",
-                        number(pitch * 1e6),
-                        number(all.round()),
-                        number(left)
-                    );
-                    warnings.push(Warning::of_results(&said));
-                }
-                Some(pitch)
-            }
-            (x, y) => x.or(y).or_else(|| of(diagonal, width.px().hypot(height.px()))),
+        let other = |one: Option<f64>| diagonal.zip(one).map(|(diagonal, one)| (diagonal * diagonal - one * one).sqrt());
+        let (across, down) = (across.or_else(|| other(down)), down.or_else(|| other(across)));
+        if [across, down].into_iter().flatten().any(f64::is_nan) {
+            return Err("--sensor-diagonal is shorter than a side of the sensor.".to_owned());
+        }
+        let own = optional("pixel-pitch", self.pitch.as_deref(), Quantity::Micrometers)?;
+        let by_sides = [across.map(|across| across / width), down.map(|down| down / height)];
+        let Some(pitch) = own
+            .or_else(|| by_sides.into_iter().flatten().reduce(f64::min))
+            .or_else(|| diagonal.map(|diagonal| diagonal / width.hypot(height)))
+        else {
+            return Ok(None);
         };
-        Ok(pitch.map(Length::from_m))
+        for (what, side, pixels) in [("rows", down, height), ("columns", across, width)] {
+            let Some(all) = side.map(|side| side / pitch) else { continue };
+            let all_in_words = number(all.round());
+            let said = if all > pixels * (1.0 + TOLERANCE) {
+                format!(
+                    "The image is not the whole sensor: with square pixels of {} um it has {all_in_words} {what}, of which the image has {}. So {what} \
+                     were cut, which changes neither fx nor fy.",
+                    number(pitch * 1e6),
+                    number(pixels)
+                )
+            } else if all < pixels * (1.0 - TOLERANCE) {
+                format!(
+                    "--pixel-pitch and the sensor exclude one another: with pixels of {} um it has {all_in_words} {what}, and the image has {}. The \
+                     pitch is followed.",
+                    number(pitch * 1e6),
+                    number(pixels)
+                )
+            } else {
+                continue;
+            };
+            warnings.push(Warning::of_results(&said));
+        }
+        Ok(Some(Length::from_m(pitch)))
     }
 
     /// What the widest view would be the focal length of, were the lens a fisheye.
@@ -246,10 +254,6 @@ impl Camera {
 const MOST_OF_A_PINHOLE: f64 = 100.0;
 const UNDER_WATER: &str = "Was fx calibrated in the water? Then leave out --water, as it is in fx already. fx and fy are 1.333 times those in air, an \
                            approximation for a flat window and the middle of the image.";
-
-fn optional(name: &str, text: Option<&str>, quantity: Quantity) -> Result<Option<Length>, String> {
-    text.map(|text| read(name, text, quantity).map(Length::from_m)).transpose()
-}
 
 impl Answer {
     fn lines(&self, projection: Projection) -> String {

@@ -186,35 +186,73 @@ impl Fact {
         })
     }
 
-    /// fx and fy: fx by the first fact that is not of fy alone, fy its own if it was stated.
-    pub(super) fn focal_lengths(facts: &[Known]) -> Option<[Pixels; 2]> {
-        let own = facts.iter().find(|fact| fact.is_of_fy()).map(|fact| fact.focal_length);
-        let first = facts.iter().find(|fact| !fact.is_of_fy()).map(|fact| fact.focal_length);
-        let fx = first.or(own)?;
-        Some([fx, own.unwrap_or(fx)])
+    /// fx and fy, and what is to be said of facts that exclude one another: then the first that was stated is followed. Of others the one
+    /// that says it most directly is.
+    pub(super) fn focal_lengths(facts: &[Known]) -> Option<([Pixels; 2], Vec<String>)> {
+        let is_of_fy = |fact: &&Known| matches!(fact.kind, FactKind::Fy | FactKind::P11);
+        let has_own = facts.iter().any(|fact| is_of_fy(&fact));
+        let has_others = facts.iter().any(|fact| !is_of_fy(&fact) && fact.kind != FactKind::VerticalView);
+        // With square pixels a vertical view says fx too.
+        let is_of_rows = |fact: &&Known| is_of_fy(fact) || has_own && fact.kind == FactKind::VerticalView;
+        let (of_fy, of_fx): (Vec<&Known>, Vec<&Known>) = facts.iter().partition(is_of_rows);
+        let mut said = Vec::new();
+        let mut follow = |name: &str, facts: &[&Known], exact: &[FactKind]| -> Option<Pixels> {
+            let contradiction = Known::contradiction(name, facts);
+            let is_exact = |fact: &&&Known| contradiction.is_none() && exact.contains(&fact.kind);
+            let chosen = facts.iter().find(is_exact).or_else(|| facts.first())?;
+            said.extend(contradiction);
+            Some(chosen.focal_length)
+        };
+        let fy = follow("fy", &of_fy, &[FactKind::Fy, FactKind::P11]);
+        let fx = follow("fx", &of_fx, &[FactKind::Fx, FactKind::P00]);
+        let fx = fx.or(fy)?;
+        let view = facts
+            .iter()
+            .find(|fact| fact.kind == FactKind::VerticalView)
+            .map(|fact| fact.focal_length);
+        // A vertical view beside other facts that it agrees with is fy.
+        let fy = fy.or_else(|| view.filter(|view| has_others && is_near(*view, fx))).unwrap_or(fx);
+        if !is_within(fy, fx, SQUARE) {
+            said.push(format!(
+                "fx {} px and fy {} px differ by {} %: pixels are rarely so far from square.",
+                number(fx.px()),
+                number(fy.px()),
+                number(((fy.px() / fx.px() - 1.0).abs() * 100.0).round())
+            ));
+        }
+        Some(([fx, fy], said))
     }
 
-    /// That facts exclude one another, if they do: those of fx, with square pixels, and those of an fy that was stated.
-    pub(super) fn contradiction(facts: &[Known]) -> Option<String> {
-        let has_own = facts.iter().any(|fact| fact.is_of_fy());
-        let is_of_fy = |fact: &&Known| fact.is_of_fy() || has_own && fact.kind == FactKind::VerticalView;
-        let (of_fy, of_fx): (Vec<&Known>, Vec<&Known>) = facts.iter().partition(is_of_fy);
-        let said: Vec<String> = [("fx", of_fx), ("fy", of_fy)]
-            .into_iter()
-            .filter_map(|(name, facts)| Known::contradiction(name, &facts))
-            .collect();
-        (!said.is_empty()).then(|| said.join(" "))
+    /// That a view may be in radians, of which a number without a unit is none.
+    pub(super) fn radians(&self) -> Option<String> {
+        let degrees = Angle::from_radians(self.value).degrees();
+        let is_bare = self.text.trim().chars().all(|one| one.is_ascii_digit() || one == '.');
+        (self.kind.quantity() == Quantity::Degrees && is_bare && degrees < std::f64::consts::PI).then(|| {
+            format!(
+                "--{} {} is in degrees, a very narrow view. Did you mean {}rad?",
+                self.kind.option(),
+                self.text,
+                self.text
+            )
+        })
     }
 }
 
-impl Known {
-    const fn is_of_fy(&self) -> bool {
-        matches!(self.kind, FactKind::Fy | FactKind::P11)
-    }
+/// So far from square may pixels be: anamorphic images are farther.
+const SQUARE: f64 = 0.1;
 
+fn is_near(one: Pixels, other: Pixels) -> bool {
+    is_within(one, other, TOLERANCE)
+}
+
+fn is_within(one: Pixels, other: Pixels, tolerance: f64) -> bool {
+    (one.px() / other.px() - 1.0).abs() <= tolerance
+}
+
+impl Known {
     fn contradiction(name: &str, facts: &[&Self]) -> Option<String> {
         let (first, rest) = facts.split_first()?;
-        let differs = |fact: &&Self| (fact.focal_length.px() / first.focal_length.px() - 1.0).abs() > TOLERANCE;
+        let differs = |fact: &&Self| !is_near(fact.focal_length, first.focal_length);
         if !rest.iter().any(differs) {
             return None;
         }
@@ -229,6 +267,21 @@ impl Known {
     }
 }
 
+/// [`read`] of what may not be given.
+pub(super) fn optional(option: &str, text: Option<&str>, quantity: Quantity) -> Result<Option<f64>, String> {
+    text.map(|text| read(option, text, quantity)).transpose()
+}
+
+/// The diagonal of a sensor whose type `text` is, such as 1/2.3in, in millimeters: 18 mm/N where N is above 2, else 16 mm/N.
+///
+/// Source: vendors' tables; an inch of these types is that of the tube of a vidicon.
+fn of_type(text: &str) -> Option<f64> {
+    let rest = text.trim().strip_prefix("1/")?;
+    let number: String = rest.chars().take_while(|one| one.is_ascii_digit() || *one == '.').collect();
+    let part: f64 = number.parse().ok().filter(|part| *part > 0.0)?;
+    Some(if part > 2.0 { 18.0 / part } else { 16.0 / part })
+}
+
 /// The number in `text`, above 0, in the base unit of its quantity: pixels, radians, meters. Err: a sentence.
 pub(super) fn read(option: &str, text: &str, quantity: Quantity) -> Result<f64, String> {
     let example = match quantity {
@@ -239,6 +292,13 @@ pub(super) fn read(option: &str, text: &str, quantity: Quantity) -> Result<f64, 
         Quantity::Micrometers => "3um",
         Quantity::Plain => "1.7",
     };
+    if let Some(diagonal) = of_type(text).filter(|_| option.starts_with("sensor-")) {
+        return Err(format!(
+            "--{option} {text} is the type of a sensor and no length: its diagonal is about {} mm. Give --sensor-diagonal {}mm, or better its width.",
+            number((diagonal * 100.0).round() / 100.0),
+            number((diagonal * 100.0).round() / 100.0)
+        ));
+    }
     let wrong = || format!("--{option} {text} cannot be used: give a number above 0, such as {example}.");
     let typed = number::read(text, Primes::Arcminutes).map_err(|_| wrong())?;
     let bare = match quantity {

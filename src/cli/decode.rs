@@ -1,6 +1,6 @@
 //! `decode`: what a number that a picture or a network stores for a pixel says of the distance.
 
-use super::ascii::in_sentence;
+use super::camera_facts::{Quantity, optional};
 use super::reply::Reply;
 use super::warning::Warning;
 use crate::core::disparity::{Encoding, KINECT_V1_BASELINE, KINECT_V1_FOCAL_LENGTH, Linear, NoDisparity, SubpixelBits};
@@ -8,11 +8,7 @@ use crate::core::quantity::{Length, Pixels};
 use crate::core::stereo;
 use crate::core::stored::DepthEncoding;
 use clap::{Args, ValueEnum};
-use depth_text::entry::Entry;
-use depth_text::field::Key;
-use depth_text::fields;
 use depth_text::number::{Notation, TYPED_DIGITS};
-use depth_text::reading;
 use serde::Serialize;
 
 /// What was given to `decode`.
@@ -120,32 +116,32 @@ struct Answer {
     distance_m: Option<f64>,
     no_match: bool,
     warnings: Vec<Warning>,
+    /// Whether a focal length and a baseline are known.
+    #[serde(skip)]
+    has_camera: bool,
 }
 
 impl Decode {
     /// The answer, or one sentence that says why there is none.
     pub(super) fn reply(&self) -> Result<Reply, String> {
         let given = Given {
-            focal_length: self.pixels(fields::FOCAL_LENGTH, self.fx.as_deref())?,
-            baseline: read(fields::BASELINE, self.baseline.as_deref())?.map(Length::from_m),
-            width: self.pixels(fields::FRAME_WIDTH, self.width.as_deref())?,
+            focal_length: optional("fx", self.fx.as_deref(), Quantity::Pixels)?.map(Pixels::new),
+            baseline: optional("baseline", self.baseline.as_deref(), Quantity::Millimeters)?.map(Length::from_m),
+            width: optional("width", self.width.as_deref(), Quantity::Pixels)?.map(Pixels::new),
         };
         let way = self.way(&given)?;
         let raw = self.raw()?;
         let mut answer = given.answer(&way, raw).or_else(|reason| self.without(reason))?;
         let eight_bits = self.eight_bits(raw, &answer);
         answer.warnings.extend(eight_bits.as_ref().map(Warning::of_results));
+        answer.warnings.extend(given.unusual_baseline());
         if self.json {
             return Reply::json(&answer);
         }
         Ok(Reply {
-            text: answer.lines(&given),
+            text: answer.lines(),
             warnings: answer.warnings.iter().map(Warning::to_string).collect(),
         })
-    }
-
-    fn pixels(&self, key: Key, text: Option<&str>) -> Result<Option<Pixels>, String> {
-        Ok(read(key, text)?.map(Pixels::new))
     }
 
     fn way(&self, given: &Given) -> Result<Way, String> {
@@ -205,7 +201,9 @@ impl Decode {
     /// The stored number; of three channels R + 256·G + 65 536·B.
     fn raw(&self) -> Result<f64, String> {
         if self.name != Some(Name::Carla) {
-            let number = self.raw.trim().parse::<f64>();
+            let text = self.raw.trim().replace('\u{2212}', "-");
+            let hexadecimal = text.strip_prefix("0x").and_then(|digits| u32::from_str_radix(digits, 16).ok());
+            let number = hexadecimal.map_or_else(|| text.parse::<f64>(), |number| Ok(f64::from(number)));
             return number.map_err(|_| format!("“{}” is no number that a file can store: give one, such as 12345.", self.raw));
         }
         let channels: Vec<Option<u8>> = self.raw.split(',').map(|channel| channel.trim().parse().ok()).collect();
@@ -223,6 +221,7 @@ impl Decode {
                 distance_m: None,
                 no_match: true,
                 warnings: Vec::new(),
+                has_camera: false,
             }),
             NoDisparity::NotWhole => Err(format!(
                 "{} stores whole numbers, and {} is none: it may have been divided already.",
@@ -260,6 +259,16 @@ struct Given {
 }
 
 impl Given {
+    /// That meters may have been taken for millimeters, or the other way round.
+    fn unusual_baseline(&self) -> Option<Warning> {
+        let baseline = self.baseline.filter(|baseline| !(0.005..=5.0).contains(&baseline.m()))?;
+        let said = format!(
+            "{} mm is unusual for the baseline: most lie between 5 mm and 5 m. Say its unit, such as 0.54m.",
+            Notation::LONG.plain(baseline.m() * 1000.0, TYPED_DIGITS)
+        );
+        Some(Warning::of_option("baseline", &said))
+    }
+
     fn answer(&self, way: &Way, raw: f64) -> Result<Answer, NoDisparity> {
         let is_kinect = matches!(way, Way::Disparity(Encoding::KinectV1));
         let focal_length = self.focal_length.or(is_kinect.then_some(KINECT_V1_FOCAL_LENGTH));
@@ -269,7 +278,8 @@ impl Given {
             Way::Disparity(encoding) => {
                 let disparity = encoding.decode(raw)?;
                 let seen = camera.filter(|_| disparity.px() > 0.0);
-                (Some(disparity), seen.map(|(f, b)| stereo::depth(f, b, disparity)))
+                let distance = seen.map(|(f, b)| stereo::depth(f, b, disparity));
+                (Some(disparity), distance.map(finite).transpose()?)
             }
             Way::Depth(encoding) => {
                 let distance = encoding.decode(raw)?;
@@ -285,12 +295,22 @@ impl Given {
             distance_m: distance.map(Length::m),
             no_match: false,
             warnings: warnings.into_iter().collect(),
+            has_camera: camera.is_some(),
         })
     }
 }
 
+/// What can be written down.
+fn finite(distance: Length) -> Result<Length, NoDisparity> {
+    if distance.m().is_finite() && distance.m() > 0.0 {
+        Ok(distance)
+    } else {
+        Err(NoDisparity::OutOfRange)
+    }
+}
+
 impl Answer {
-    fn lines(&self, given: &Given) -> String {
+    fn lines(&self) -> String {
         if self.no_match {
             return "no match: the pixel has no disparity and no depth\n".to_owned();
         }
@@ -301,19 +321,9 @@ impl Answer {
         }
         match self.distance_m {
             Some(distance) => text.push_str(&format!("distance {} m\n", number(distance))),
-            None if given.focal_length.is_none() || given.baseline.is_none() => {
-                text.push_str("distance: needs --fx and --baseline\n");
-            }
-            None => {}
+            None if self.has_camera => text.push_str("distance: none\n"),
+            None => text.push_str("distance: needs --fx and --baseline\n"),
         }
         text
     }
-}
-
-/// The value of an option that is a field of the form, in its base unit.
-fn read(key: Key, text: Option<&str>) -> Result<Option<f64>, String> {
-    let Some(text) = text else { return Ok(None) };
-    let reading = reading::read(key, &Entry::new(text, None)).map_err(|note| in_sentence(&note.issue.to_string()))?;
-    let value = reading.map(|reading| reading.value).filter(|value| *value > 0.0);
-    value.map(Some).ok_or_else(|| format!("{} is above 0.", key.label))
 }

@@ -42,7 +42,7 @@ struct Answer {
     fx_px: f64,
     width: Option<u32>,
     height: Option<u32>,
-    doffs_px: f64,
+    doffs_px: Option<f64>,
     zero_m: Option<f64>,
     zero_source: Option<&'static str>,
 }
@@ -58,7 +58,7 @@ impl Answer {
             fx_px: mode.focal_length.px(),
             width: mode.width,
             height: mode.height,
-            doffs_px: preset.doffs.px(),
+            doffs_px: preset.doffs.map(|doffs| doffs.px()),
             zero_m: preset.zero.map(|length| length.m()),
             zero_source: preset.zero_source,
         }
@@ -102,15 +102,30 @@ impl Chosen {
         fill(fields::FOCAL_LENGTH, "fx", Some(format!("{} px", number(mode.focal_length.px()))));
         let baseline = preset.baseline.map(|length| format!("{} mm", number(length.m() * 1000.0)));
         fill(fields::BASELINE, "baseline", baseline);
-        let doffs = Some(preset.doffs.px()).filter(|doffs| *doffs != 0.0);
-        fill(fields::DOFFS, "doffs", doffs.map(|doffs| format!("{} px", number(doffs))));
+        // It belongs to the images and the cameras that the other two are of.
+        let is_whole = filled.len() == 2;
+        let mut fill_doffs = |doffs: f64| {
+            if doffs != 0.0 && !typed.is_given(fields::DOFFS, Part::Value) && unknown != Some(fields::DOFFS) {
+                filled.push(format!("doffs {} px", number(doffs)));
+                typed.typed.push((fields::DOFFS, Part::Value, format!("{} px", number(doffs))));
+            }
+        };
+        match preset.doffs {
+            Some(doffs) if is_whole => fill_doffs(doffs.px()),
+            _ => {}
+        }
         let of = size(mode).map_or_else(String::new, |size| format!(" at {size} px"));
-        Ok(if filled.is_empty() {
+        let mut said = if filled.is_empty() {
             format!("Nothing of {} is used: all was typed.", preset.label)
         } else {
             let (values, basis) = (filled.join(", "), basis_in_words(preset));
             format!("{}{of}: {values}; {basis}: {}.", preset.label, preset.source)
-        })
+        };
+        let is_missing = preset.doffs.is_none() && preset.baseline.is_some() && !typed.is_given(fields::DOFFS, Part::Value);
+        if is_missing {
+            said.push_str(" Its images are cut differently in each scene: add the number in its dmin.txt as --doffs, without which the distance is far too large.");
+        }
+        Ok(said)
     }
 }
 
@@ -199,8 +214,10 @@ fn lines(preset: &Preset) -> String {
         let of = size(mode).map_or_else(String::new, |size| format!(" at {size}"));
         text.push_str(&format!("fx {} px{of}\n", number(mode.focal_length.px())));
     }
-    if preset.doffs.px() != 0.0 {
-        text.push_str(&format!("doffs {} px\n", number(preset.doffs.px())));
+    match preset.doffs {
+        Some(doffs) if doffs.px() != 0.0 => text.push_str(&format!("doffs {} px\n", number(doffs.px()))),
+        None if preset.baseline.is_some() => text.push_str("doffs: in the dmin.txt of each scene\n"),
+        _ => {}
     }
     if let (Some(zero), Some(source)) = (preset.zero, preset.zero_source) {
         text.push_str(&format!("zero point {} mm in front ({source})\n", number(zero.m() * 1000.0)));

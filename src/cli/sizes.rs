@@ -67,7 +67,8 @@ pub(super) fn fill(name: &str, typed: &mut Typed, unknown: Option<Key>) -> Resul
     let size = find(name)?;
     let key = fields::REAL_WIDTH;
     if typed.is_given(key, Part::Value) || unknown == Some(key) {
-        let said = format!("Nothing of {} is used: the real width was typed.", size.label);
+        let why = if unknown == Some(key) { "is solved for" } else { "was typed" };
+        let said = format!("Nothing of {} is used: the real width {why}.", size.label);
         return Ok((size.object, said));
     }
     let millimeters = |length: Length| format!("{} mm", number(length.m() * 1000.0));

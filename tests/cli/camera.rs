@@ -159,3 +159,39 @@ fn nonsense_gets_a_sentence() {
         assert!(said.contains(words) && said.lines().count() == 1, "{arguments}: {said}");
     }
 }
+
+/// What a stranger found: figures that were plausible and wrong.
+#[test]
+fn no_fact_is_overruled_in_silence() {
+    let size = "--width 1280 --height 720";
+    let with = |facts: &str| camera(&format!("{size} {facts}"));
+    let both = |facts: &str| {
+        let value = with(facts);
+        [value["fx_px"].as_f64().unwrap().round(), value["fy_px"].as_f64().unwrap().round()]
+    };
+    // The diagonal and a side say the other side: rows were cut.
+    let cut = camera("--width 1600 --height 800 --sensor-diagonal 12mm --lens 8mm --sensor-height 7.2mm");
+    is(&cut, "fx_px", 1333.33, 0.01);
+    assert!(warnings(&cut).contains("1200 rows"), "{}", warnings(&cut));
+    assert!(warnings(&with("--lens 4 --sensor-width 4.8mm --pixel-pitch 3um")).contains("1600 columns"));
+    assert!(warnings(&with("--lens 4 --sensor-width 3mm --pixel-pitch 3um")).contains("exclude one another"));
+    // The first that was stated is followed, in both directions.
+    assert_eq!(both("--fy 705 --vfov 30"), [705.0, 705.0]);
+    assert_eq!(both("--vfov 30 --fy 705"), [1344.0, 1344.0]);
+    // What was typed in pixels says it most directly.
+    assert_eq!(both("--hfov 84 --fx 700"), [700.0, 700.0]);
+    for facts in [
+        "--vfov 54.101194 --fx 700 --fy 705",
+        "--fx 700 --fy 705 --vfov 54.101194",
+        "--fx 700 --vfov 54.101194",
+    ] {
+        assert_eq!((both(facts), warnings(&with(facts))), ([700.0, 705.0], String::new()), "{facts}");
+    }
+    for facts in ["--fx 700 --fy 70", "--p11 2.6 --p00 3", "--hfov 60 --fy 705"] {
+        assert!(warnings(&with(facts)).contains("so far from square"), "{facts}");
+    }
+    assert!(warnings(&with("--hfov 1.57")).contains("1.57rad"));
+    let refused = run(&format!("camera {size} --lens 4mm --sensor-diagonal 1/2.3in"));
+    let said = String::from_utf8(refused.stderr).unwrap();
+    assert!(refused.status.code() == Some(2) && said.contains("7.83 mm"), "{said}");
+}

@@ -83,6 +83,9 @@ fn a_pixel_without_a_match_is_an_answer_and_a_distance_that_cannot_be_known_is_n
         ("0", "kitti"),
         ("0", "cityscapes"),
         ("-32768", "ensenso"),
+        ("32768", "ensenso"),
+        ("0x8000", "ensenso"),
+        ("0 --fx 1200", "da3-metric"),
         ("2047", "kinect1"),
         ("inf", "zed"),
         ("65535", "depth-mm"),
@@ -98,6 +101,10 @@ fn a_pixel_without_a_match_is_an_answer_and_a_distance_that_cannot_be_known_is_n
     );
     let (lines, _) = text("decode 12345 --as kitti");
     assert_eq!(lines, ["disparity 48.22265625 px", "distance: needs --fx and --baseline"]);
+    let (lines, _) = text("decode 1100 --as kinect1");
+    assert_eq!(lines, ["disparity -1.25 px", "distance: none"], "its camera is known");
+    let meters = answer("12345 --as kitti --fx 700 --baseline 0.54");
+    assert!(meters["warnings"].to_string().contains("such as 0.54m"), "{meters}");
 }
 
 #[test]
@@ -122,6 +129,10 @@ fn what_is_no_stored_number_says_what_to_do() {
         ("5", "--as"),
         ("5 --divide 0", "cannot be 0"),
         ("5 --as inverse-depth --near 3 --far 2", "the larger"),
+        ("1.5 --as fraction --width 1242", "cannot be stored"),
+        ("1.2 --as inverse-depth", "cannot be stored"),
+        ("12345 --as kitti --fx 700mm --baseline 100", "such as 1280"),
+        ("12345 --as kitti --fx 1e300 --baseline 1e300", "cannot"),
         ("800 --as opencv --fx 700 --baseline -3", "above 0"),
         ("800 --as opencv --fx abc", "abc"),
     ] {

@@ -67,6 +67,8 @@ fn a_known_size_is_the_real_width_with_its_uncertainty() {
         (man["monocular"]["distance_m"].as_f64().unwrap() - 1.756 * 710.0 / 500.0).abs() < 1e-12,
         "a height goes with fy"
     );
+    let solved = json("--fx 700 --w-img 310 --known card --solve-for w-real --distance 1");
+    assert!(solved["warnings"].to_string().contains("is solved for"), "{solved}");
     let both = json("--preset oak-d --known card --w-img 310 --disparity 100");
     assert!(
         both["stereo"]["distance_m"].is_number() && both["monocular"]["distance_m"].is_number(),

@@ -124,6 +124,8 @@ impl Encoding {
         let pixels = match self {
             Self::Pixels => stored,
             Self::Zed => 0.0 - stored,
+            // A pixel is not seen farther aside than the image is wide: more is in pixels already.
+            Self::FractionOfWidth { .. } if stored.abs() > 1.0 => return Err(NoDisparity::OutOfRange),
             Self::FractionOfWidth { image_width } => stored * image_width.px(),
             Self::OpenCv { min_disparity } => {
                 let invalid = f64::from(min_disparity) - 1.0;
@@ -140,6 +142,8 @@ impl Encoding {
             Self::DepthAi(bits) => fixed_point(stored, UNSIGNED, 0.0, bits.scale())?,
             Self::Cityscapes => (fixed_point(stored, UNSIGNED, 0.0, 1.0)? - 1.0) / 256.0,
             Self::RealSense => fixed_point(stored, UNSIGNED, 0.0, 32.0)?,
+            // The mark as a file without a sign has it.
+            Self::Ensenso if stored == 32_768.0 => return Err(NoDisparity::Invalid),
             Self::Ensenso => fixed_point(stored, SIGNED, -32_768.0, 16.0)?,
             Self::KinectV1 => (1090.0 - fixed_point(stored, (0.0, 2047.0), 2047.0, 1.0)?) / 8.0,
             Self::Linear(linear) => linear.decode(stored)?,

@@ -66,6 +66,10 @@ impl DepthEncoding {
         if !stored.is_finite() {
             return Err(NoDisparity::Invalid);
         }
+        let is_network = !matches!(self, Self::Steps { .. } | Self::ThreeChannels);
+        if is_network && stored < 0.0 || matches!(self, Self::Inverse { .. }) && stored > 1.0 {
+            return Err(NoDisparity::OutOfRange);
+        }
         let meters = match self {
             Self::Steps { per_meter } => whole(stored, 65_535.0)? / per_meter,
             Self::ThreeChannels => whole(stored, ALL_BITS)? / ALL_BITS * 1000.0,
@@ -73,7 +77,10 @@ impl DepthEncoding {
             Self::DepthAnything3 { focal_length } => focal_length.px() * stored / 300.0,
             Self::Metric3D { focal_length } => stored * focal_length.px() / 1000.0,
         };
-        if meters.is_finite() && meters >= 0.0 {
+        if meters == 0.0 {
+            return Err(NoDisparity::Invalid);
+        }
+        if meters.is_finite() && meters > 0.0 {
             Ok(Length::from_m(meters))
         } else {
             Err(NoDisparity::OutOfRange)

@@ -56,8 +56,8 @@ pub struct Preset {
     pub source: &'static str,
     /// `None` where no two of its cameras are a stereo pair.
     pub baseline: Option<Length>,
-    /// δ = cx_right − cx_left.
-    pub doffs: Pixels,
+    /// δ = cx_right − cx_left; `None` where each scene has its own, and where there is no pair.
+    pub doffs: Option<Pixels>,
     /// How far the front glass is in front of where distances are counted from.
     pub zero: Option<Length>,
     /// Where that comes from.

@@ -1,7 +1,7 @@
 //! A rig: a camera or a pair of cameras, with what is known of it. What calibration files, the calculator and the list of rigs hand to
 //! each other.
 
-use crate::core::quantity::{Length, LengthUnit};
+use crate::core::quantity::{Length, LengthUnit, Pixels};
 use crate::core::setup::Pair;
 use depth_jobs::{Baseline, Camera, Choice};
 use depth_presets::{Mode, Preset};
@@ -91,7 +91,7 @@ impl Rig {
         fill(fields::FRAME_HEIGHT, mode.height.map(|side| side.to_string()), None);
         fill(fields::FOCAL_LENGTH, Some(number(mode.focal_length.px())), None);
         fill(fields::BASELINE, millimeters(preset.baseline), Some(LengthUnit::Millimeter));
-        let doffs = Some(preset.doffs.px()).filter(|doffs| *doffs != 0.0);
+        let doffs = preset.doffs.map(Pixels::px).filter(|doffs| *doffs != 0.0);
         fill(fields::DOFFS, doffs.map(number), None);
         let zero = preset.zero.map_or_else(String::new, |zero| {
             let source = preset.zero_source.unwrap_or_default();
@@ -100,9 +100,15 @@ impl Rig {
                 number(zero.m() * 1000.0)
             )
         });
+        let is_cut = preset.doffs.is_none() && preset.baseline.is_some();
+        let cut = if is_cut {
+            "; doffs is the number in the dmin.txt of each scene"
+        } else {
+            ""
+        };
         Self {
             name: preset.label.to_owned(),
-            source: format!("{}: {}{zero}", preset.basis.name(), preset.source),
+            source: format!("{}: {}{cut}{zero}", preset.basis.name(), preset.source),
             inputs,
             ..Self::default()
         }
