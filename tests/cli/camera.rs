@@ -4,14 +4,7 @@ use crate::run;
 use serde_json::Value;
 
 fn camera(arguments: &str) -> Value {
-    let output = run(&format!("camera {arguments} --json"));
-    assert_eq!(
-        output.status.code(),
-        Some(0),
-        "{arguments}: {}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    serde_json::from_slice(&output.stdout).unwrap()
+    crate::answer(&format!("camera {arguments}"))
 }
 
 fn is(value: &Value, key: &str, expected: f64, tolerance: f64) {

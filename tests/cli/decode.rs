@@ -1,23 +1,14 @@
 //! `decode`: a number that is stored for a pixel.
 
-use crate::{run, text};
+use crate::text;
 use serde_json::{Value, json};
 
 fn answer(arguments: &str) -> Value {
-    let output = run(&format!("decode {arguments} --json"));
-    assert_eq!(
-        output.status.code(),
-        Some(0),
-        "{arguments}: {}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    serde_json::from_slice(&output.stdout).unwrap()
+    crate::answer(&format!("decode {arguments}"))
 }
 
 fn refusal(arguments: &str) -> String {
-    let output = run(&format!("decode {arguments}"));
-    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{arguments}");
-    String::from_utf8(output.stderr).unwrap()
+    crate::refusal(&format!("decode {arguments}"))
 }
 
 /// 50 px and 1.400 m in every encoding that holds a disparity, with 700 px and 100 mm.

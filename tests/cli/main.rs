@@ -39,8 +39,9 @@ fn run(arguments: &str) -> Output {
     run_words(&arguments.split_whitespace().collect::<Vec<_>>())
 }
 
-fn json(arguments: &str) -> Value {
-    let output = run(&format!("calculate {arguments} --json"));
+/// What a call with --json is answered with.
+fn answer(arguments: &str) -> Value {
+    let output = run(&format!("{arguments} --json"));
     assert_eq!(
         output.status.code(),
         Some(0),
@@ -48,6 +49,17 @@ fn json(arguments: &str) -> Value {
         String::from_utf8_lossy(&output.stderr)
     );
     serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn json(arguments: &str) -> Value {
+    answer(&format!("calculate {arguments}"))
+}
+
+/// What is said on stderr of a call that is refused: nothing on stdout, status 2.
+fn refusal(arguments: &str) -> String {
+    let output = run(arguments);
+    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{arguments}");
+    String::from_utf8(output.stderr).unwrap()
 }
 
 /// The lines on stdout and on stderr of a call that is answered.

@@ -1,23 +1,10 @@
 //! `presets`, and `calculate --preset`.
 
-use crate::{json, run};
+use crate::{json, refusal};
 use serde_json::Value;
 
 fn presets(arguments: &str) -> Value {
-    let output = run(&format!("presets {arguments} --json"));
-    assert_eq!(
-        output.status.code(),
-        Some(0),
-        "{arguments}: {}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    serde_json::from_slice(&output.stdout).unwrap()
-}
-
-fn refusal(arguments: &str) -> String {
-    let output = run(arguments);
-    assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{arguments}");
-    String::from_utf8(output.stderr).unwrap()
+    crate::answer(&format!("presets {arguments}"))
 }
 
 #[test]
