@@ -13,6 +13,13 @@ const OF_MATLAB: &str = "In MATLAB write its numbers as JSON: \
     writelines(jsonencode(struct('K1',K1,'K2',K2,'T',T)),'calibration.json'), where for stereoParams \
     K1 is stereoParams.CameraParameters1.K, K2 is stereoParams.CameraParameters2.K and T is stereoParams.PoseCamera2.Translation, \
     and for Bouguet’s toolbox K1 is KK_left and K2 is KK_right.";
+const OF_PICTURE: &str = "Give the file that the calibration wrote, or the JPEG as the camera made it, whose EXIF says a focal length.";
+const OF_HEIC: &str = "Export it as JPEG with its metadata: its EXIF says a focal length. An iPhone takes JPEGs where Settings, Camera, Formats is \
+    Most Compatible.";
+/// The brands of HEIF.
+///
+/// Source: ISO/IEC 23008-12, and the registry of MP4RA.
+const HEIF: [&[u8; 4]; 8] = [b"heic", b"heix", b"hevc", b"heim", b"heis", b"mif1", b"msf1", b"avif"];
 const UNPACK: &str = "Unpack it and give the calibration that is in it.";
 const EXPORT: &str = "Write its numbers into a text file, such as JSON.";
 
@@ -22,8 +29,11 @@ pub(crate) fn refusal(bytes: &[u8]) -> Option<Refusal> {
     match bytes {
         [0x80, 2..=5, ..] => return known("a pickle of Python", OF_PICKLE),
         [0x1f, 0x8b, ..] => return known("a compressed archive, as calibrationdata.tar.gz of ROS", UNPACK),
-        [0x89, b'P', b'N', b'G', ..] | [0xff, 0xd8, 0xff, ..] => {
-            return known("a picture", "Give the file that the calibration wrote.");
+        [0x89, b'P', b'N', b'G', ..] => return known("a picture (PNG)", OF_PICTURE),
+        [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => return known("a picture (WebP)", OF_PICTURE),
+        [b'I', b'I', 42, 0, ..] | [b'M', b'M', 0, 42, ..] => return known("a picture (TIFF, or raw of a camera)", OF_PICTURE),
+        [_, _, _, _, b'f', b't', b'y', b'p', brand @ ..] if HEIF.iter().any(|known| brand.starts_with(*known)) => {
+            return known("a photograph in HEIC or AVIF", OF_HEIC);
         }
         [0x89, b'H', b'D', b'F', ..] => return known("an HDF5 file, as MATLAB also writes", OF_MATLAB),
         // The number of cameras, of 64 bits.

@@ -3,10 +3,12 @@
 use crate::binary;
 use crate::format::Format;
 use crate::node::{Node, Value};
+use crate::photo::Photo;
 use crate::refusal::Refusal;
 use crate::xml;
 
-/// No file is larger in which somebody keeps a calibration, whatever else is in it.
+/// No file is larger in which somebody keeps a calibration, whatever else is in it. A photograph may be: only what is before its pixels is
+/// looked at.
 pub const LARGEST: usize = 16 << 20;
 /// No calibration in text is larger: one with hundreds of cameras has a tenth of it.
 const LARGEST_TEXT: usize = 4 << 20;
@@ -24,6 +26,8 @@ pub(crate) enum File {
     Lines(Format, String),
     /// YAML, JSON or XML: each document; or arrays of NumPy.
     Trees(Vec<Node>),
+    /// A photograph with EXIF.
+    Photo(Photo),
 }
 
 /// What a document of XML is, the `file`th.

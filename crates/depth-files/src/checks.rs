@@ -144,8 +144,9 @@ pub(crate) fn remark(found: &mut Found) {
             });
         }
         let [least, most] = FOCAL_LENGTHS.map(|part| part * f64::from(width));
-        // Where the size is wrong, the focal length is judged by it in vain.
-        if outside.is_none() && (camera.fx.px() < least || camera.fx.px() > most) {
+        // Where the size is wrong, the focal length is judged by it in vain; a photograph says what lens it was.
+        let is_judged = outside.is_none() && found.format != Format::Exif;
+        if is_judged && (camera.fx.px() < least || camera.fx.px() > most) {
             warnings.push(Warning::FocalLength { fx: camera.fx, width });
         }
     }

@@ -3,6 +3,7 @@
 use crate::baseline::Baseline;
 use crate::camera::Camera;
 use crate::checks;
+use crate::format::Format;
 use crate::found::Found;
 use crate::pair::Pair;
 use crate::refusal::Refusal;
@@ -111,7 +112,8 @@ impl Found {
             self.pairs.push(Pair { cameras: places, ..pair });
         }
         let cameras = self.cameras.len();
-        if cameras > 2 || (cameras == 2 && self.pair.is_none()) {
+        // Those of a photograph are ways to the focal length of one.
+        if self.format != Format::Exif && (cameras > 2 || (cameras == 2 && self.pair.is_none())) {
             let name = |at: usize| self.cameras.get(at).map(|camera| camera.name.clone()).unwrap_or_default();
             let pair = self.pair.map(|places| places.map(name));
             self.warnings.push(Warning::Many { cameras, pair });

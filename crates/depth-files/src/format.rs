@@ -39,6 +39,8 @@ pub enum Format {
     Transforms,
     /// Results of Bouguet’s toolbox for MATLAB, as text.
     Bouguet,
+    /// EXIF of a photograph in JPEG.
+    Exif,
 }
 
 impl Format {
@@ -63,6 +65,7 @@ impl Format {
             Self::Intrinsics => "intrinsics",
             Self::Transforms => "transforms",
             Self::Bouguet => "bouguet",
+            Self::Exif => "exif",
         }
     }
 
@@ -87,6 +90,7 @@ impl Format {
             Self::Intrinsics => "a file of intrinsics",
             Self::Transforms => "a transforms.json of nerfstudio or instant-ngp",
             Self::Bouguet => "a result of Bouguet’s calibration toolbox",
+            Self::Exif => "a photograph with EXIF",
         }
     }
 }

@@ -1,4 +1,5 @@
-//! Reads calibration files: what tools for stereo cameras write, recognized by what is in them, never by their names.
+//! Reads calibration files: what tools for stereo cameras write, recognized by what is in them, never by their names. And photographs,
+//! whose EXIF says a focal length.
 //!
 //! ```
 //! let file = "cam0=[700 0 320; 0 700 240; 0 0 1]\ncam1=[700 0 320; 0 700 240; 0 0 1]\ndoffs=0\nbaseline=100\nwidth=640\nheight=480\n";
@@ -16,16 +17,20 @@ mod format;
 mod formats;
 mod found;
 mod geometry;
+mod jpeg;
 mod mismatches;
 mod node;
 mod number;
 mod pair;
+mod photo;
+mod photo_warning;
 mod place;
 mod recognize;
 mod refusal;
 mod remarks;
 mod sentences;
 mod text;
+mod tiff;
 mod units;
 mod warning;
 mod xml;
@@ -37,6 +42,7 @@ pub use carrier::LARGEST;
 pub use format::Format;
 pub use found::Found;
 pub use pair::Pair;
+pub use photo_warning::PhotoWarning;
 pub use place::{Origin, Place};
 pub use refusal::Refusal;
 pub use warning::{Statement, Warning};

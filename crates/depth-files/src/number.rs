@@ -17,6 +17,11 @@ pub(crate) fn number(text: &str) -> Option<f64> {
     text.parse().ok()
 }
 
+/// A number to four digits, for a sentence.
+pub(crate) fn brief(number: f64) -> f64 {
+    format!("{number:.3e}").parse().unwrap_or(number)
+}
+
 /// How many numbers a line holds that holds nothing else, and the first `N` of them, in the order of [`numbers`].
 pub(crate) fn first_numbers<const N: usize>(line: &str) -> Option<(usize, [f64; N])> {
     let mut first = [0.0; N];

@@ -3,6 +3,8 @@
 use crate::carrier::{File, LARGEST, of_xml, text};
 use crate::format::Format;
 use crate::formats::{is_bouguet, is_colmap, is_foundation_stereo, is_kitti, is_numpy, is_realsense, numpy};
+use crate::jpeg::is_jpeg;
+use crate::photo::photo;
 use crate::refusal::Refusal;
 use crate::text::lines;
 use crate::warning::Warning;
@@ -12,6 +14,9 @@ use crate::yaml;
 pub(crate) fn read(bytes: &[u8], file: usize, warnings: &mut Vec<Warning>) -> Result<File, Refusal> {
     if is_numpy(bytes) && bytes.len() <= LARGEST {
         return Ok(File::Trees(vec![numpy(bytes, file)?]));
+    }
+    if is_jpeg(bytes) {
+        return photo(bytes, file).map(File::Photo);
     }
     let text = text(bytes)?;
     let start = text.trim_start();

@@ -38,6 +38,14 @@ pub enum Refusal {
         count: usize,
         expected: String,
     },
+    /// A photograph that says no focal length in pixels: its size, who made its camera, whether it has EXIF, and the lens in millimeters where
+    /// only that is known.
+    Photo {
+        size: [u32; 2],
+        maker: Option<String>,
+        has_exif: bool,
+        lens_mm: Option<f64>,
+    },
     /// Something without which there is no camera.
     Missing { format: Format, what: &'static str },
     /// A model whose first number is no focal length.

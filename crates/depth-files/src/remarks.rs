@@ -28,6 +28,7 @@ impl Warning {
 
     fn of_files(&self, names: &[&str]) -> String {
         match self {
+            Self::Photo(warning) => warning.to_string(),
             Self::RectificationUnusable { why } => {
                 format!("The rectification cannot be used: {why}. What was measured of the raw images is taken instead; rectify anew.")
             }

@@ -1,5 +1,7 @@
 //! Why a calibration cannot be read, in words.
 
+use crate::format::Format;
+use crate::number::brief;
 use crate::place::Place;
 use crate::refusal::Refusal;
 use std::fmt;
@@ -47,6 +49,17 @@ impl Refusal {
                 None if *file > 0 => format!("File {}: {}", file + 1, refusal.sentence(names)),
                 _ => refusal.sentence(names),
             },
+            Self::Photo {
+                size: [width, height],
+                maker,
+                has_exif,
+                lens_mm,
+            } => {
+                let maker = maker.as_ref().map_or_else(String::new, |maker| format!(" by {maker}"));
+                let photo = format!("This is a photograph{maker}, a JPEG of {width} × {height} pixels");
+                photo_without_focal_length(&photo, *has_exif, *lens_mm)
+            }
+            Self::OneFile { format: Format::Exif } => "Each photograph says the focal length of its own camera: give one at a time.".to_owned(),
             Self::OneFile { format } => format!(
                 "{} holds all cameras in one file: give one of these at a time.",
                 upper(format.title())
@@ -112,6 +125,25 @@ impl Refusal {
             _ => "it has more cameras than can be chosen among.".to_owned(),
         }
     }
+}
+
+/// What a photograph lacks that says no focal length in pixels, and what to do.
+fn photo_without_focal_length(photo: &str, has_exif: bool, lens_mm: Option<f64>) -> String {
+    if let Some(lens) = lens_mm {
+        return format!(
+            "{photo}. Its EXIF says that the lens has {} mm, but not how large a pixel of the sensor is (FocalPlaneXResolution), nor the equivalent on \
+             35 mm film: look up one of these, and type it in the calculator as the focal length.",
+            brief(lens)
+        );
+    }
+    let lacks = if has_exif {
+        "but its EXIF has no focal length"
+    } else {
+        "but without EXIF, which messengers and many websites remove"
+    };
+    format!(
+        "{photo}, {lacks}. Give the photo as the camera made it, or type the 35 mm equivalent of its data sheet in the calculator as the focal length."
+    )
 }
 
 impl Place {

@@ -2,6 +2,7 @@
 
 use crate::baseline::Guess;
 use crate::format::Format;
+use crate::photo_warning::PhotoWarning;
 use crate::place::{Origin, Place};
 use depth_core::quantity::{Length, Pixels};
 
@@ -195,6 +196,8 @@ pub enum Warning {
         /// Who wrote it.
         format: Format,
     },
+    /// The focal length comes from a photograph.
+    Photo(PhotoWarning),
 }
 
 impl Warning {

@@ -5,6 +5,8 @@ mod bouguet;
 mod colmap;
 mod depth_ai;
 mod euroc;
+mod exif;
+mod exif_ways;
 mod foundation_stereo;
 mod ftc;
 mod intrinsics;
@@ -51,6 +53,7 @@ pub(crate) fn read(files: &[File]) -> Result<Found, Refusal> {
     let mut found = match files {
         [] => return Err(Refusal::Empty),
         [File::Lines(format, text)] => of_lines(*format, text)?,
+        [File::Photo(photo)] => exif::read(photo)?,
         [File::Lines(Format::Ros, one), File::Lines(Format::Ros, other)] => {
             are_not_too_much(one)?;
             are_not_too_much(other)?;
@@ -158,6 +161,7 @@ fn known(files: &[File]) -> Result<(Vec<Format>, Documents<'_>), Refusal> {
     for file in files {
         match file {
             File::Lines(format, _) => of_lines.push(*format),
+            File::Photo(_) => of_lines.push(Format::Exif),
             File::Trees(all) => {
                 let known = all.iter().filter_map(|document| Some((format_of(document)?, document)));
                 let before = documents.len();
@@ -215,7 +219,7 @@ const fn opencv_format(document: &Node) -> Format {
 
 fn all_documents(files: &[File]) -> impl Iterator<Item = &Node> {
     files.iter().flat_map(|file| match file {
-        File::Lines(..) => &[],
+        File::Lines(..) | File::Photo(_) => &[],
         File::Trees(all) => all.as_slice(),
     })
 }

@@ -1,0 +1,176 @@
+//! What is to be said of a focal length that comes from a photograph.
+
+use crate::number::brief;
+use depth_core::quantity::{Length, LengthUnit, Pixels};
+use std::fmt;
+
+/// What somebody has to know of a focal length from EXIF before they use it. The sentence is its `Display`.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PhotoWarning {
+    /// The focal length is what the maker says of this kind of camera.
+    Nominal {
+        /// Who made it.
+        maker: Option<String>,
+    },
+    /// Several ways lead to the same focal length.
+    Agreement {
+        /// The name of the way that is trusted most.
+        trusted: String,
+    },
+    /// Two ways lead to different focal lengths.
+    Contradiction {
+        /// The name of the way that is trusted, and what fx is by it.
+        trusted: (String, Pixels),
+        /// The same of the other.
+        other: (String, Pixels),
+    },
+    /// An equivalent on 35 mm film is meant in one of two ways.
+    FilmExtents {
+        /// Of the photograph, as it was taken.
+        size: [u32; 2],
+        /// How many times as large fx is by the diagonal as by the width.
+        ratio: f64,
+    },
+    /// The photograph has another size than it was taken with, of the same shape.
+    Resized {
+        /// As it was taken.
+        taken: [u32; 2],
+        /// As it is.
+        now: [u32; 2],
+    },
+    /// The photograph has another shape than it was taken with.
+    Cropped {
+        /// As it was taken.
+        taken: [u32; 2],
+        /// As it is.
+        now: [u32; 2],
+    },
+    /// The camera cut the middle out of its image and enlarged it.
+    DigitalZoom {
+        /// So many times.
+        ratio: f64,
+        /// Whether fx of one of the ways was multiplied by it.
+        is_applied: bool,
+    },
+    /// A viewer exchanges width and height.
+    Turned {
+        /// The tag, 5 to 8.
+        orientation: f64,
+        /// As people see it.
+        size: [u32; 2],
+    },
+    /// The lens was focused near.
+    Near {
+        /// So far away.
+        distance: Length,
+        /// How many times as large fx is as for what is far away.
+        ratio: f64,
+    },
+    /// A lens that may be a fisheye.
+    Wide {
+        /// On 35 mm film.
+        equivalent: Length,
+    },
+}
+
+impl fmt::Display for PhotoWarning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Nominal { maker } => {
+                let maker = maker.as_ref().map_or_else(String::new, |maker| format!(" ({maker})"));
+                write!(
+                    f,
+                    "EXIF has the nominal focal length of such a camera{maker}, not that of this one: a few percent may be missing, and more after \
+                     digital stabilization. The picture is not undistorted. A calibration is better, or a photo of something of known size and distance."
+                )
+            }
+            Self::Agreement { trusted } => write!(
+                f,
+                "The ways to the focal length agree within their errors. “{trusted}” is trusted most, as it does not depend on what the 35 mm \
+                 equivalent is counted by."
+            ),
+            Self::Contradiction { trusted, other } => write!(
+                f,
+                "“{}” leads to fx {} px, but “{}” to {} px, which is more than their errors allow. The first is trusted: an equivalent holds whatever \
+                 the photo was scaled to, and FocalPlaneXResolution often stays that of another size.",
+                trusted.0,
+                brief(trusted.1.px()),
+                other.0,
+                brief(other.1.px())
+            ),
+            Self::FilmExtents { size, ratio } => write!(
+                f,
+                "A 35 mm equivalent is counted by the diagonal (CIPA) or by the width, and EXIF does not say which: at {} the focal lengths differ \
+                 by {:.1} %. The one by the diagonal is trusted more.",
+                sides(*size),
+                100.0 * (ratio - 1.0)
+            ),
+            Self::DigitalZoom { .. } => self.zoom(f),
+            _ => self.of_size(f),
+        }
+    }
+}
+
+impl PhotoWarning {
+    fn zoom(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self::DigitalZoom { ratio, is_applied } = self else {
+            return Ok(());
+        };
+        let ratio = brief(*ratio);
+        if *is_applied {
+            write!(f, "DigitalZoomRatio is {ratio}: fx by FocalPlaneXResolution is multiplied by it. ")?;
+        } else {
+            write!(f, "DigitalZoomRatio is {ratio}. ")?;
+        }
+        write!(
+            f,
+            "The 35 mm equivalent is taken as it is, as most cameras write it with the zoom in it: where it is not, fx by it is {ratio} times as large."
+        )
+    }
+
+    fn of_size(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Resized { taken, now } => {
+                let ([before, ..], [after, ..]) = (taken, now);
+                write!(
+                    f,
+                    "The photo was taken with {} pixels and has {} now: it was resized, and fx is scaled with it. If it was cropped to the same shape \
+                     instead, fx is {} times as large.",
+                    sides(*taken),
+                    sides(*now),
+                    brief(f64::from(*before) / f64::from(*after))
+                )
+            }
+            Self::Cropped { taken, now } => write!(
+                f,
+                "The photo was taken with {} pixels and has {} now, another shape: it was cropped. fx is that of the uncropped photo, which holds unless it \
+                 was resized as well; where cx and cy are is not known.",
+                sides(*taken),
+                sides(*now)
+            ),
+            Self::Turned { orientation, size } => write!(
+                f,
+                "Viewers turn this photo by its Orientation {orientation}: the size is {}, as people see it. A program that does not turn it has width \
+                 and height the other way round.",
+                sides(*size)
+            ),
+            Self::Near { distance, ratio } => write!(
+                f,
+                "The lens was focused at {} m (SubjectDistance). One that moves as a whole then has an fx that is {:.1} % larger than for what is far \
+                 away, which is not in the numbers.",
+                brief(distance.m()),
+                100.0 * (ratio - 1.0)
+            ),
+            Self::Wide { equivalent } => write!(
+                f,
+                "{} mm on 35 mm film is very wide: if it is a fisheye, as in action cameras, fx holds only in the middle. Undistort the photo first.",
+                brief(equivalent.in_unit(LengthUnit::Millimeter))
+            ),
+            _ => Ok(()),
+        }
+    }
+}
+
+fn sides([width, height]: [u32; 2]) -> String {
+    format!("{width} × {height}")
+}
