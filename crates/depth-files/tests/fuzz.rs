@@ -14,6 +14,7 @@
 mod corpus;
 mod judge;
 mod mutate;
+mod photo;
 
 use mutate::{Random, mutated};
 use peak_alloc::PeakAlloc;

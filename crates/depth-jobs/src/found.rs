@@ -1,7 +1,7 @@
 //! What was found in files, as it travels.
 
 use crate::calibration::{Baseline, Calibration, Camera, Choice, Guess};
-use depth_files::{Basis, Found, Origin, Warning};
+use depth_files::{Basis, Format, Found, Origin, Warning};
 
 /// What `found` says, of files with these names.
 pub(crate) fn calibration(found: &Found, names: &[&str]) -> Calibration {
@@ -15,7 +15,9 @@ pub(crate) fn calibration(found: &Found, names: &[&str]) -> Calibration {
     }
     let choices = sets.iter().filter_map(|set| {
         let cameras: Vec<&str> = set.iter().filter_map(|at| Some(found.cameras.get(*at)?.name.as_str())).collect();
-        let name = if set.len() == 1 && found.cameras.len() > 1 {
+        // Those of a photograph are ways to the focal length of one camera.
+        let is_of_many = found.cameras.len() > 1 && found.format != Format::Exif;
+        let name = if set.len() == 1 && is_of_many {
             format!("{} alone", cameras.concat())
         } else {
             cameras.join(" and ")

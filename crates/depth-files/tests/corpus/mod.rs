@@ -1,6 +1,7 @@
 //! Good files, by their format, and bytes that no tool writes.
 
 use crate::mutate::Random;
+use crate::photo::{self, Photo, Value, jpeg, phone};
 use miniz_oxide::deflate::compress_to_vec;
 use rawzip::{CompressionMethod, DataDescriptorOutput, ZipArchiveWriter};
 use std::collections::BTreeMap;
@@ -25,7 +26,24 @@ pub fn files(folder: &Path) -> BTreeMap<&'static str, Vec<Vec<u8>>> {
             }
         }
     }
+    all.insert("exif", photos());
     all
+}
+
+/// Photographs, with pixels left out.
+fn photos() -> Vec<Vec<u8>> {
+    let little = Photo {
+        is_big_endian: false,
+        ..phone()
+    };
+    let all = [
+        phone(),
+        little.oriented(6).with(photo::ZOOM, Value::Rational(2, 1)),
+        phone().without(&[photo::PLANE_X]).sized(3000, 3000),
+        phone().without(&[photo::FILM]).with(photo::DISTANCE, Value::Rational(1, 10)),
+        phone().sized(1008, 756).with(photo::PLANE_X, Value::Rational(72, 1)),
+    ];
+    all.iter().map(Photo::jpeg).collect()
 }
 
 /// What would be large, slow or deep where nobody counts: a beginning, and what is repeated behind it.
@@ -140,9 +158,29 @@ pub fn inflated(length: usize) -> Vec<Vec<u8>> {
     all.push(archive(header.as_bytes(), 1));
     all.push(archive(b"\x93NUMPY", length / 200));
     all.push(archive(&[b"\x93NUMPY\x01\x00\x00\x00".as_slice(), &[b'0'; 100_000]].concat(), 190));
+    all.push([&b"\xff\xd8\xff"[..], &b"\xff".repeat(length)].concat());
+    all.push([&b"\xff\xd8\xff"[..], &b"\x00".repeat(length)].concat());
+    all.push([&b"\xff\xd8"[..], &b"\xff\xe1\x00\x08Exif\0\0".repeat(length / 10)].concat());
+    all.push([&b"\xff\xd8"[..], &b"\xff\xc0\x00\x02".repeat(length / 4)].concat());
+    all.push(jpeg(&[(0xe1, &overlapping())], [640, 480]));
     all.push([&b"PK\x03\x04"[..], &b"\x00".repeat(length)].concat());
     all.push([&b"\x93NUMPY\x01\x00"[..], &b"\xff".repeat(length)].concat());
     all
+}
+
+/// EXIF whose first directory points to thousands of others, which lie over each other and are thousands of entries long.
+fn overlapping() -> Vec<u8> {
+    const COUNT: u16 = 2_600;
+    let behind = 8 + 2 + 12 * u32::from(COUNT) + 4;
+    let mut bytes = [b"Exif\0\0II\x2a\0\x08\0\0\0".as_slice(), &COUNT.to_le_bytes()].concat();
+    for number in 0..u32::from(COUNT) {
+        bytes.extend(b"\x69\x87\x04\0\x01\0\0\0");
+        bytes.extend((behind + 2 * number).to_le_bytes());
+    }
+    bytes.extend([0; 4]);
+    let rest = 65_000 - bytes.len();
+    bytes.extend(2_000_u16.to_le_bytes().repeat(rest / 2));
+    bytes
 }
 
 /// An archive with the same array, which is packed, under so many names.
