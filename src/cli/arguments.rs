@@ -49,7 +49,7 @@ pub(super) enum Task {
     /// Compute the length between two points that a stereo pair sees
     #[command(after_long_help = help::BETWEEN)]
     Between(Box<Between>),
-    /// Read a calibration file: of OpenCV, ROS, Kalibr, Middlebury, KITTI, COLMAP, ORB-SLAM, ZED, RealSense or EuRoC
+    /// Read a calibration file: of OpenCV, ROS, Kalibr, Middlebury, KITTI, COLMAP, ORB-SLAM, ZED, RealSense or EuRoC, or the EXIF of a photograph
     #[command(after_long_help = help::IMPORT)]
     Import(Import),
     /// Read focal length, baseline and doffs from a Q matrix of stereoRectify

@@ -85,7 +85,8 @@ Example:
 pub(super) const IMPORT: &str = "\
 A file is recognized by what is in it. Where it does not say its unit, as
 those of OpenCV do not, --file-unit does: 1mm, or 25mm for squares of 25 mm.
-Where it has several cameras or pairs, --camera chooses.
+Where it has several cameras or pairs, --camera chooses, and of a photograph
+(JPEG) the way from its EXIF to a focal length: --camera diagonal.
 `calculate --from FILE...` takes fx, baseline and doffs from it.
 
 Examples:

@@ -12,10 +12,12 @@ pub enum PhotoWarning {
         /// Who made it.
         maker: Option<String>,
     },
-    /// Several ways lead to the same focal length.
+    /// Two ways lead to the same focal length.
     Agreement {
         /// The name of the way that is trusted most.
         trusted: String,
+        /// The name of the other.
+        other: String,
     },
     /// Two ways lead to different focal lengths.
     Contradiction {
@@ -23,6 +25,8 @@ pub enum PhotoWarning {
         trusted: (String, Pixels),
         /// The same of the other.
         other: (String, Pixels),
+        /// The digital zoom, where they differ by so many times.
+        zoom: Option<f64>,
     },
     /// An equivalent on 35 mm film is meant in one of two ways.
     FilmExtents {
@@ -80,24 +84,30 @@ impl fmt::Display for PhotoWarning {
                 let maker = maker.as_ref().map_or_else(String::new, |maker| format!(" ({maker})"));
                 write!(
                     f,
-                    "EXIF has the nominal focal length of such a camera{maker}, not that of this one: a few percent may be missing, and more after \
+                    "EXIF has the nominal focal length of such a camera{maker}, not that of this one: it may be a few percent off, and more after \
                      digital stabilization. The picture is not undistorted. A calibration is better, or a photo of something of known size and distance."
                 )
             }
-            Self::Agreement { trusted } => write!(
+            Self::Agreement { trusted, other } => write!(
                 f,
-                "The ways to the focal length agree within their errors. “{trusted}” is trusted most, as it does not depend on what the 35 mm \
-                 equivalent is counted by."
+                "“{trusted}” and “{other}” agree within their errors. The first is trusted most, as it does not depend on how an equivalent is counted."
             ),
-            Self::Contradiction { trusted, other } => write!(
-                f,
-                "“{}” leads to fx {} px, but “{}” to {} px, which is more than their errors allow. The first is trusted: an equivalent holds whatever \
-                 the photo was scaled to, and FocalPlaneXResolution often stays that of another size.",
-                trusted.0,
-                brief(trusted.1.px()),
-                other.0,
-                brief(other.1.px())
-            ),
+            Self::Contradiction { trusted, other, zoom } => {
+                let why = zoom.map_or_else(
+                    || {
+                        ": an equivalent holds whatever the photo was scaled to, and FocalPlaneXResolution often stays that of another size.".to_owned()
+                    },
+                    |zoom| format!(", but they differ by the digital zoom, {}, which may be missing in the first.", brief(zoom)),
+                );
+                write!(
+                    f,
+                    "“{}” leads to fx {} px, but “{}” to {} px, which is more than their errors allow. The first is trusted{why}",
+                    trusted.0,
+                    brief(trusted.1.px()),
+                    other.0,
+                    brief(other.1.px())
+                )
+            }
             Self::FilmExtents { size, ratio } => write!(
                 f,
                 "A 35 mm equivalent is counted by the diagonal (CIPA) or by the width, and EXIF does not say which: at {} the focal lengths differ \

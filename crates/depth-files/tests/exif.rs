@@ -150,15 +150,20 @@ fn ways_that_contradict_each_other_are_said_with_their_numbers_and_film_is_trust
     assert_eq!(names(&one)[0], "35 mm equivalent 26 mm by the diagonal");
     assert_eq!(names(&one)[2], "FocalPlaneXResolution: 4.25 mm at 1.4 µm");
     near(one.cameras[0].fx.px(), 1514.33);
-    let said = said(&one);
+    let words = said(&one);
     assert!(
-        said.contains("leads to fx 1514 px, but “FocalPlaneXResolution: 4.25 mm at 1.4 µm” to 3036 px"),
-        "{said}"
+        words.contains("leads to fx 1514 px, but “FocalPlaneXResolution: 4.25 mm at 1.4 µm” to 3036 px"),
+        "{words}"
     );
-    assert!(said.contains("The first is trusted"), "{said}");
+    assert!(words.contains("The first is trusted"), "{words}");
     let one = found(&phone());
     assert_eq!(names(&one)[0], "FocalPlaneXResolution: 4.25 mm at 1.4 µm");
     assert!(!says(&one, |warning| matches!(warning, PhotoWarning::Contradiction { .. })));
+    assert!(
+        said(&one).contains("“FocalPlaneXResolution: 4.25 mm at 1.4 µm” and “35 mm equivalent 26 mm by the diagonal” agree"),
+        "{}",
+        said(&one)
+    );
 }
 
 #[test]
@@ -177,6 +182,9 @@ fn a_photo_that_was_resized_is_scaled_and_one_that_was_cropped_is_not() {
         assert_eq!(whole.fx, cropped.fx);
         assert_eq!((cropped.cx.px(), cropped.size), (1512.0, Some([3024, 3024])));
     }
+    // 1008 columns were cut off, nobody knows where: 1008/√12 = 290.99, beside 1 % of 3024.
+    near(cropped.cameras[0].sigma.unwrap()[2].px(), 290.985_f64.hypot(30.24));
+    near(cropped.cameras[0].sigma.unwrap()[3].px(), 30.24);
     assert!(said(&cropped).contains("it was cropped"), "{}", said(&cropped));
     // Rounded to whole pixels, and turned by a program that left the tags.
     for (width, height) in [(1000, 750), (1023, 767), (1512, 2016)] {
@@ -217,6 +225,14 @@ fn a_digital_zoom_multiplies_what_lens_and_sensor_say_and_is_said() {
     near(one.cameras[0].fx.px(), 2.0 * 3035.7);
     near(one.cameras[1].fx.px(), 2.0 * 3028.66);
     assert!(said(&one).contains("DigitalZoomRatio is 2: fx by FocalPlaneXResolution is multiplied"));
+    assert!(says(&one, |warning| matches!(warning, PhotoWarning::Agreement { .. })));
+    // Where the equivalent is that of the lens without the zoom.
+    let one = found(&phone().with(ZOOM, Rational(2, 1)));
+    let words = said(&one);
+    assert!(
+        words.contains("The first is trusted, but they differ by the digital zoom, 2, which may be missing in the first."),
+        "{words}"
+    );
     let one = found(&phone().without(&PLANE).with(ZOOM, Rational(2, 1)));
     near(one.cameras[0].fx.px(), 3028.66);
     assert!(said(&one).contains("DigitalZoomRatio is 2. "), "{}", said(&one));

@@ -41,7 +41,7 @@ pub(super) fn read(photo: &Photo) -> Result<Found, Refusal> {
         let size = whole(change(photo).0, photo.size);
         found.warnings.push(Warning::Photo(PhotoWarning::FilmExtents { size, ratio }));
     }
-    let (ways, judgment) = in_order(plane, film);
+    let (ways, judgment) = in_order(plane, film, zoom(facts));
     if ways.is_empty() {
         return Err(refusal(facts.lens.and_then(|lens| lens.positive())));
     }
@@ -66,25 +66,32 @@ pub(super) fn read(photo: &Photo) -> Result<Found, Refusal> {
 ///
 /// That by the sensor depends on no convention, but is of another size where somebody scaled the photo and left the tag as it was, and some
 /// cameras write it wrong. So an equivalent on film, which holds whatever the size, wins where neither is within their errors of it.
-fn in_order(plane: Option<Way>, film: Vec<Way>) -> (Vec<Way>, Option<PhotoWarning>) {
+fn in_order(plane: Option<Way>, film: Vec<Way>, zoom: Option<f64>) -> (Vec<Way>, Option<PhotoWarning>) {
     let Some(plane) = plane else { return (film, None) };
     let Some(trusted) = film.first() else {
         return (vec![plane], None);
     };
     let fx = |way: &Way| way.focal[0].px();
-    let agrees = |way: &Way| {
-        let errors = [way, &plane].map(|one| one.relative * fx(one));
-        (fx(way) - fx(&plane)).abs() <= SIGMAS * errors[0].hypot(errors[1])
+    let agrees_times = |way: &Way, times: f64| {
+        let errors = [way.relative * fx(way) * times, plane.relative * fx(&plane)];
+        (fx(way) * times - fx(&plane)).abs() <= SIGMAS * errors[0].hypot(errors[1])
     };
-    if film.iter().any(agrees) {
+    let agrees = |way: &Way| agrees_times(way, 1.0);
+    let apart = |way: &&Way| (fx(way) - fx(&plane)).abs();
+    let nearest = film
+        .iter()
+        .filter(|way| agrees(way))
+        .min_by(|one, other| apart(one).total_cmp(&apart(other)));
+    if let Some(other) = nearest.map(|way| way.name.clone()) {
         let trusted = plane.name.clone();
         let ways = std::iter::once(plane).chain(film).collect();
-        return (ways, Some(PhotoWarning::Agreement { trusted }));
+        return (ways, Some(PhotoWarning::Agreement { trusted, other }));
     }
     let said = |way: &Way| (way.name.clone(), way.focal[0]);
     let warning = PhotoWarning::Contradiction {
         trusted: said(trusted),
         other: said(&plane),
+        zoom: zoom.filter(|zoom| film.iter().any(|way| agrees_times(way, *zoom))),
     };
     (film.into_iter().chain([plane]).collect(), Some(warning))
 }
@@ -128,6 +135,20 @@ fn of_lens(facts: &Facts, photo: &Photo, ways: &[Way]) -> Vec<PhotoWarning> {
     [near(), wide()].into_iter().flatten().collect()
 }
 
+/// So many columns and rows were cut off, of the picture as people see it: nobody knows on which side.
+fn cropped_off(photo: &Photo, facts: &Facts) -> [f64; 2] {
+    let Change::Cropped([width, height]) = change(photo).0 else {
+        return [0.0; 2];
+    };
+    let [now_width, now_height] = photo.size;
+    let [columns, rows] = [width.saturating_sub(now_width), height.saturating_sub(now_height)].map(f64::from);
+    if is_turned(facts).is_some() {
+        [rows, columns]
+    } else {
+        [columns, rows]
+    }
+}
+
 /// A way as a camera, of the picture as people see it.
 fn of_way(way: &Way, photo: &Photo, facts: &Facts) -> Result<Camera, Refusal> {
     let ([mut fx, mut fy], [mut width, mut height]) = (way.focal.map(Pixels::px), photo.size);
@@ -138,7 +159,8 @@ fn of_way(way: &Way, photo: &Photo, facts: &Facts) -> Result<Camera, Refusal> {
     let [cx, cy] = [width, height].map(|side| f64::from(side) / 2.0);
     let place = Place { file: photo.file, line: 0 };
     let at_center = PRINCIPAL * f64::from(width.max(height));
-    let sigma = [way.relative * fx, way.relative * fy, at_center, at_center];
+    let [across, down] = cropped_off(photo, facts).map(|off| at_center.hypot(off / 12_f64.sqrt()));
+    let sigma = [way.relative * fx, way.relative * fy, across, down];
     let size = Some([width, height]);
     let camera = camera(
         FORMAT,
