@@ -1,13 +1,14 @@
 //! `camera`: what data sheets, photographers and simulators say of a camera, as its focal length in pixels, and all the others from it.
 
-use super::camera_facts::{Fact, FactKind, Quantity, TOLERANCE, number, optional, read};
+use super::camera_facts::{FactKind, Quantity, number, optional, read};
 use super::reply::Reply;
 use super::warning::Warning;
 use crate::core::angle::Angle;
-use crate::core::camera::{FilmExtent, Projection, focal_length_under_water, focused_lens};
+use crate::core::camera::{CameraFacts, Projection, Sensor};
 use crate::core::quantity::{Length, Pixels};
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches};
+use depth_text::sentences::CameraWords;
 use serde::Serialize;
 
 /// What was given to `camera`.
@@ -123,47 +124,30 @@ impl Camera {
 
     fn answer(&self) -> Result<Answer, String> {
         let mut warnings = Vec::new();
-        let size =
-            [("width", &self.width), ("height", &self.height)].map(|(name, text)| read(name, text, Quantity::Pixels).map(Pixels::new));
-        let [width, height] = size;
-        let size = [width?, height?];
-        let pitch = self.pitch(size, &mut warnings)?;
-        let focused_at = optional("focused-at", self.focused_at.as_deref(), Quantity::Meters)?.map(Length::from_m);
-        let mut facts = Vec::new();
-        for (kind, text) in &self.facts {
-            let fact = Fact::read(*kind, text, self.projection)?;
-            warnings.extend(fact.radians().map(|said| Warning::of_option(kind.option(), &said)));
-            facts.push(fact.focal_length(size, (pitch, focused_at))?);
-        }
-        let Some(([fx, fy], said)) = Fact::focal_lengths(&facts) else {
-            return Err(
-                "Nothing says the focal length: add --fx, --hfov, --vfov, --dfov, --lens with the sensor or its pixels, or --f35."
-                    .to_owned(),
-            );
+        let facts = self.facts(&mut warnings)?;
+        let option = |at: usize| self.facts.get(at).map_or("", |(kind, _)| kind.option());
+        let stated = |at: usize| format!("--{} {}", option(at), self.facts.get(at).map_or("", |(_, text)| text));
+        let called = |at: usize| format!("--{}", option(at));
+        let words = CameraWords {
+            stated: &stated,
+            called: &called,
+            pitch: "--pixel-pitch",
+            sensor: "--pixel-pitch, or --sensor-width, --sensor-height or --sensor-diagonal",
+            focus: "--focused-at",
+            diagonal: "--sensor-diagonal",
+            projection: "With --model",
+            dry: "leave out --water",
+            facts: "--fx, --hfov, --vfov, --dfov, --lens with the sensor or its pixels, or --f35",
         };
-        warnings.extend(said.iter().map(Warning::of_results));
-        let widest = facts.iter().filter_map(|fact| fact.view).map(Angle::degrees).fold(0.0, f64::max);
-        if self.projection == Projection::Pinhole && widest > MOST_OF_A_PINHOLE {
-            warnings.push(Warning::of_results(&self.as_fisheye(size, widest)));
-        }
-        let lens = pitch.map(|pitch| Length::from_m(fx.px() * pitch.m()));
-        let lens = lens.and_then(|image| focused_at.map_or(Some(image), |distance| focused_lens(image, distance)));
-        let film = |extent: FilmExtent| {
-            let is_pinhole = self.projection == Projection::Pinhole;
-            extent.equivalent(fx, size).filter(|_| is_pinhole).map(|length| length.m() * 1000.0)
-        };
-        let (f35_diagonal_mm, f35_width_mm) = (film(FilmExtent::Diagonal), film(FilmExtent::Width));
-        let [fx, fy] = if self.is_under_water {
-            warnings.push(Warning::of_results(&UNDER_WATER));
-            [fx, fy].map(|f| focal_length_under_water(f).unwrap_or(f))
-        } else {
-            [fx, fy]
-        };
-        let [hfov_deg, vfov_deg, dfov_deg] = self.views([fx, fy], size);
+        let answer = facts.solve().map_err(|problem| words.problem(problem, self.projection.name()))?;
+        warnings.extend(answer.remarks.iter().map(|remark| Warning::of_results(&words.remark(remark))));
+        let millimeters = |length: Option<Length>| length.map(|length| length.m() * 1000.0);
+        let [hfov_deg, vfov_deg, dfov_deg] = answer.views.map(|view| view.map(Angle::degrees));
+        let [f35_diagonal_mm, f35_width_mm] = answer.film.map(millimeters);
         Ok(Answer {
-            fx_px: fx.px(),
-            fy_px: fy.px(),
-            lens_mm: lens.map(|lens| lens.m() * 1000.0),
+            fx_px: answer.fx.px(),
+            fy_px: answer.fy.px(),
+            lens_mm: millimeters(answer.lens),
             hfov_deg,
             vfov_deg,
             dfov_deg,
@@ -173,87 +157,35 @@ impl Camera {
         })
     }
 
-    /// Horizontal, vertical and diagonal view, in degrees.
-    fn views(&self, [fx, fy]: [Pixels; 2], [width, height]: [Pixels; 2]) -> [Option<f64>; 3] {
-        let [across, down] = [width.px() / fx.px(), height.px() / fy.px()];
-        [across, down, across.hypot(down)].map(|extent| {
-            // In focal lengths.
-            let view = self.projection.view(Pixels::new(1.0), Pixels::new(extent));
-            view.map(Angle::degrees)
+    /// What was stated, with what is to be said of single options.
+    fn facts(&self, warnings: &mut Vec<Warning>) -> Result<CameraFacts, String> {
+        let pixels = |name, text| read(name, text, Quantity::Pixels).map(Pixels::new);
+        let size = [pixels("width", &self.width)?, pixels("height", &self.height)?];
+        let [width, height, diagonal] = &self.sensor;
+        let length =
+            |option, text: &Option<String>, quantity| Ok::<_, String>(optional(option, text.as_deref(), quantity)?.map(Length::from_m));
+        let sensor = Sensor {
+            pitch: length("pixel-pitch", &self.pitch, Quantity::Micrometers)?,
+            width: length(SENSOR[0], width, Quantity::Millimeters)?,
+            height: length(SENSOR[1], height, Quantity::Millimeters)?,
+            diagonal: length(SENSOR[2], diagonal, Quantity::Millimeters)?,
+        };
+        let focused_at = length("focused-at", &self.focused_at, Quantity::Meters)?;
+        let mut facts = Vec::new();
+        for (kind, text) in &self.facts {
+            facts.push(kind.read(text)?);
+            warnings.extend(kind.radians(text).map(|said| Warning::of_option(kind.option(), &said)));
+        }
+        Ok(CameraFacts {
+            size,
+            facts,
+            sensor,
+            focused_at,
+            projection: self.projection,
+            is_under_water: self.is_under_water,
         })
     }
-
-    /// The size of a pixel: the stated one, or that of the sensor. Where rows or columns were cut, its own side has more pixels.
-    fn pitch(&self, size: [Pixels; 2], warnings: &mut Vec<Warning>) -> Result<Option<Length>, String> {
-        let [width, height] = size.map(Pixels::px);
-        let side = |at: usize| {
-            let option = SENSOR.get(at).copied().unwrap_or_default();
-            optional(option, self.sensor.get(at).and_then(Option::as_deref), Quantity::Millimeters)
-        };
-        let (across, down, diagonal) = (side(0)?, side(1)?, side(2)?);
-        let other = |one: Option<f64>| diagonal.zip(one).map(|(diagonal, one)| (diagonal * diagonal - one * one).sqrt());
-        let (across, down) = (across.or_else(|| other(down)), down.or_else(|| other(across)));
-        if [across, down].into_iter().flatten().any(f64::is_nan) {
-            return Err("--sensor-diagonal is shorter than a side of the sensor.".to_owned());
-        }
-        let own = optional("pixel-pitch", self.pitch.as_deref(), Quantity::Micrometers)?;
-        let by_sides = [across.map(|across| across / width), down.map(|down| down / height)];
-        let Some(pitch) = own
-            .or_else(|| by_sides.into_iter().flatten().reduce(f64::min))
-            .or_else(|| diagonal.map(|diagonal| diagonal / width.hypot(height)))
-        else {
-            return Ok(None);
-        };
-        for (what, side, pixels) in [("rows", down, height), ("columns", across, width)] {
-            let Some(all) = side.map(|side| side / pitch) else { continue };
-            let all_in_words = number(all.round());
-            let said = if all > pixels * (1.0 + TOLERANCE) {
-                format!(
-                    "The image is not the whole sensor: with square pixels of {} um it has {all_in_words} {what}, of which the image has {}. So {what} \
-                     were cut, which changes neither fx nor fy.",
-                    number(pitch * 1e6),
-                    number(pixels)
-                )
-            } else if all < pixels * (1.0 - TOLERANCE) {
-                format!(
-                    "--pixel-pitch and the sensor exclude one another: with pixels of {} um it has {all_in_words} {what}, and the image has {}. The \
-                     pitch is followed.",
-                    number(pitch * 1e6),
-                    number(pixels)
-                )
-            } else {
-                continue;
-            };
-            warnings.push(Warning::of_results(&said));
-        }
-        Ok(Some(Length::from_m(pitch)))
-    }
-
-    /// What the widest view would be the focal length of, were the lens a fisheye.
-    fn as_fisheye(&self, [width, height]: [Pixels; 2], widest: f64) -> String {
-        let extent = self
-            .facts
-            .iter()
-            .find_map(|(kind, _)| kind.extent([width, height]))
-            .unwrap_or(width);
-        let of = |projection: Projection| {
-            let f = projection.focal_length(Angle::from_degrees(widest), extent)?;
-            Some(format!("{} {} px", projection.name(), number(f.px())))
-        };
-        let others: Vec<String> = Projection::ALL.into_iter().skip(1).filter_map(of).collect();
-        format!(
-            "A view of {} deg is rarely that of a pinhole: of a fisheye lens the focal length cannot be had from its angle this way. With --model it \
-             would be: {}.",
-            number(widest),
-            others.join(", ")
-        )
-    }
 }
-
-/// In degrees. Wider lenses distort on purpose.
-const MOST_OF_A_PINHOLE: f64 = 100.0;
-const UNDER_WATER: &str = "Was fx calibrated in the water? Then leave out --water, as it is in fx already. fx and fy are 1.333 times those in air, an \
-                           approximation for a flat window and the middle of the image.";
 
 impl Answer {
     fn lines(&self, projection: Projection) -> String {

@@ -1,8 +1,11 @@
 //! What data sheets say of a camera, and its focal length: figures of vendors and standards, and there and back.
-#![allow(clippy::unwrap_used, reason = "tests")]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "tests")]
 
 use depth_core::angle::Angle;
-use depth_core::camera::{FilmExtent, Projection, diagonal, focal_length_from_field_of_view, focused_image_distance, focused_lens};
+use depth_core::camera::{
+    CameraAnswer, CameraFacts, CameraProblem, CameraRemark, Fact, FilmExtent, Projection, Sensor, SensorRemark, Side, diagonal,
+    focal_length_from_field_of_view, focused_image_distance, focused_lens,
+};
 use depth_core::quantity::{Length, Pixels};
 use proptest::prelude::*;
 
@@ -59,7 +62,154 @@ fn no_lens_sees_what_its_projection_cannot() {
     assert_eq!(focused_image_distance(Length::from_m(0.05), Length::from_m(0.05)), None);
 }
 
+fn stated(size: [f64; 2], facts: &[Fact]) -> CameraFacts {
+    CameraFacts {
+        size: size.map(Pixels::new),
+        facts: facts.to_vec(),
+        sensor: Sensor::default(),
+        focused_at: None,
+        projection: Projection::Pinhole,
+        is_under_water: false,
+    }
+}
+
+fn millimeters(value: f64) -> Option<Length> {
+    Some(Length::from_m(value / 1000.0))
+}
+
+/// Golden: `cv2.calibrationMatrixValues` of OpenCV 4.6.0, with the principal point in the middle of the image.
+#[test]
+fn views_and_lens_are_those_of_opencv() {
+    for (f, size, aperture, expected) in [
+        (
+            [700.0, 700.0],
+            [1280.0, 720.0],
+            [4.8, 2.7],
+            [84.87245957707, 54.432223114614956, 2.625],
+        ),
+        (
+            [631.343, 630.2],
+            [1280.0, 720.0],
+            [3.84, 2.16],
+            [90.78028021909604, 59.474095702772956, 1.894_028_999_999_999_7],
+        ),
+        (
+            [1733.74, 1735.2],
+            [1920.0, 1080.0],
+            [7.2, 4.05],
+            [57.94802262776904, 34.572630334113, 6.501525],
+        ),
+        (
+            [378.806, 378.806],
+            [640.0, 480.0],
+            [1.92, 1.44],
+            [80.37954502512359, 64.71421565032014, 1.136418],
+        ),
+    ] {
+        let [fx, fy] = f.map(Pixels::new);
+        let [width, height] = aperture.map(millimeters);
+        let facts = CameraFacts {
+            sensor: Sensor {
+                width,
+                height,
+                ..Sensor::default()
+            },
+            ..stated(size, &[Fact::Fx(fx), Fact::Fy(fy)])
+        };
+        let answer = facts.solve().unwrap();
+        let found = [
+            answer.views[0].unwrap().degrees(),
+            answer.views[1].unwrap().degrees(),
+            answer.lens.unwrap().m() * 1000.0,
+        ];
+        for (found, expected) in found.into_iter().zip(expected) {
+            assert!((found / expected - 1.0).abs() < 1e-12, "{found} is not {expected}");
+        }
+        assert_eq!(answer.remarks, []);
+    }
+}
+
+#[test]
+fn three_views_are_named_with_what_each_says_and_the_first_is_followed() {
+    let view = Angle::from_degrees;
+    let facts = [
+        Fact::HorizontalView(view(71.86)),
+        Fact::DiagonalView(view(83.76)),
+        Fact::VerticalView(view(56.74)),
+    ];
+    let answer = stated([1280.0, 800.0], &facts).solve().unwrap();
+    assert!((answer.fx.px() - 883.2).abs() < 0.06);
+    let [CameraRemark::Contradiction { is_of_fy: false, facts }] = &answer.remarks[..] else {
+        panic!("{:?}", answer.remarks)
+    };
+    let said: Vec<f64> = facts.iter().map(|(_, f)| (f.px() * 10.0).round() / 10.0).collect();
+    assert_eq!(said, [883.2, 841.7, 740.7]);
+}
+
+#[test]
+fn what_was_cut_or_turned_or_does_not_fit_is_said_of_a_sensor() {
+    let lens = Fact::Lens(Length::from_m(0.008));
+    let with = |size: [f64; 2], sensor: Sensor| {
+        CameraFacts {
+            sensor,
+            ..stated(size, &[lens])
+        }
+        .solve()
+    };
+    let sides = Sensor {
+        width: millimeters(9.6),
+        height: millimeters(7.2),
+        ..Sensor::default()
+    };
+    let views = |answer: &CameraAnswer| [0, 1].map(|at: usize| (answer.views[at].unwrap().degrees() * 100.0).round() / 100.0);
+    let cut = with([1600.0, 800.0], sides).unwrap();
+    assert!((cut.fx.px() - 4000.0 / 3.0).abs() < 1e-9 && cut.fx == cut.fy);
+    assert_eq!(views(&cut), [61.93, 33.40]);
+    assert!(matches!(
+        cut.remarks[..],
+        [CameraRemark::Sensor(SensorRemark::Cut { side: Side::Height, .. })]
+    ));
+    // A phone that is held upright.
+    let upright = with([1200.0, 1600.0], sides).unwrap();
+    assert!((upright.fx.px() - 4000.0 / 3.0).abs() < 1e-9);
+    assert_eq!(upright.remarks, [CameraRemark::Sensor(SensorRemark::Turned)]);
+    let other = Sensor {
+        diagonal: millimeters(6.0),
+        ..sides
+    };
+    assert!(matches!(
+        with([1600.0, 1200.0], other).unwrap().remarks[..],
+        [CameraRemark::Sensor(SensorRemark::Diagonal { .. })]
+    ));
+    let short = Sensor { height: None, ..other };
+    assert_eq!(with([1600.0, 1200.0], short), Err(CameraProblem::ShortDiagonal));
+    assert_eq!(with([1600.0, 1200.0], Sensor::default()), Err(CameraProblem::NoPitch(0)));
+}
+
 proptest! {
+    #[test]
+    fn every_fact_that_follows_leads_back(fx in 200.0_f64..5000.0, width in 100.0_f64..8000.0, height in 100.0_f64..8000.0, pitch in 0.5e-6_f64..20e-6) {
+        let sensor = Sensor { pitch: Some(Length::from_m(pitch)), ..Sensor::default() };
+        let solve = |fact: Fact| CameraFacts { sensor, ..stated([width, height], &[fact]) }.solve().unwrap();
+        let all = solve(Fact::Fx(Pixels::new(fx)));
+        let [across, down, diagonal] = all.views.map(Option::unwrap);
+        let [by_diagonal, by_width] = all.film.map(Option::unwrap);
+        for fact in [
+            Fact::Fy(all.fy),
+            Fact::HorizontalView(across),
+            Fact::VerticalView(down),
+            Fact::DiagonalView(diagonal),
+            Fact::Film(FilmExtent::Diagonal, by_diagonal),
+            Fact::Film(FilmExtent::Width, by_width),
+            Fact::Lens(all.lens.unwrap()),
+            Fact::P00(2.0 * all.fx.px() / width),
+            Fact::P11(2.0 * all.fy.px() / height),
+        ] {
+            let back = solve(fact).fx.px();
+            prop_assert!((back / fx - 1.0).abs() < 1e-12, "{fact:?}: {back}");
+        }
+    }
+
     #[test]
     fn a_view_leads_to_a_focal_length_and_back(at in 0..5_usize, degrees in 1.0_f64..170.0, extent in 10.0_f64..10_000.0) {
         let projection = Projection::ALL.into_iter().nth(at).unwrap();

@@ -471,6 +471,60 @@ table! {
         label: "Diagonal field of view", hint: "From corner to corner",
         ..VIEW
     };
+    /// fx among the facts of a camera.
+    CAMERA_FX = FieldSpec {
+        key: "camera-fx", name: "Focal length fx", noun: "fx", examples: &["700"],
+        label: "fx", hint: "K[0][0]; K[0] in CameraInfo",
+        ..PIXELS
+    };
+    /// fy among the facts of a camera.
+    CAMERA_FY = FieldSpec {
+        key: "camera-fy", name: "Focal length fy", noun: "fy", examples: &["700"],
+        label: "fy", hint: "K[1][1]; K[4] in CameraInfo",
+        ..PIXELS
+    };
+    /// Where a lens is in focus.
+    FOCUSED_AT = FieldSpec {
+        key: "focused-at", name: "In focus at", noun: "the distance in focus", examples: &["0.3"],
+        label: "In focus at", hint: "Empty for far away",
+        ..METERS
+    };
+    /// Height of a sensor.
+    SENSOR_HEIGHT = FieldSpec {
+        key: "sensor-height", name: "Height of the sensor", noun: "the height of the sensor", examples: &["3.6"],
+        label: "Height of the sensor", hint: "Without what was cut",
+        ..MILLIMETERS
+    };
+    /// Diagonal of a sensor.
+    SENSOR_DIAGONAL = FieldSpec {
+        key: "sensor-diagonal", name: "Diagonal of the sensor", noun: "the diagonal of the sensor", examples: &["6"],
+        label: "Diagonal of the sensor", hint: "1/2.3 in is a name: 7.66 mm",
+        ..MILLIMETERS
+    };
+    /// The equivalent lens for 35 mm film, by the diagonal.
+    FILM_DIAGONAL = FieldSpec {
+        key: "f35-diagonal", name: "35 mm equivalent, by the diagonal", noun: "the equivalent focal length", examples: &["26"],
+        label: "By the diagonal", hint: "Phones and EXIF (CIPA)",
+        ..MILLIMETERS
+    };
+    /// The equivalent lens for 35 mm film, by the width.
+    FILM_WIDTH = FieldSpec {
+        key: "f35-width", name: "35 mm equivalent, by the width", noun: "the equivalent focal length", examples: &["25"],
+        label: "By the width", hint: "Blender, with 36 mm",
+        ..MILLIMETERS
+    };
+    /// Row 0, column 0 of an OpenGL projection matrix.
+    P00 = FieldSpec {
+        key: "p00", name: "P00 of the projection matrix", noun: "P00", examples: &["1.09"],
+        label: "P00", hint: "OpenGL, Unity: 2 · fx/width",
+        ..BLANK
+    };
+    /// Row 1, column 1 of an OpenGL projection matrix.
+    P11 = FieldSpec {
+        key: "p11", name: "P11 of the projection matrix", noun: "P11", examples: &["1.94"],
+        label: "P11", hint: "OpenGL, Unity: 2 · fy/height",
+        ..BLANK
+    };
     /// A focal length as a multiple of the image's width, or of half of it.
     MULTIPLE = FieldSpec {
         key: "multiple", name: "Multiple", noun: "the multiple", examples: &["0.97428"],

@@ -7,6 +7,7 @@
 //! [`fields`] is the table of everything that can be typed, [`sentences`] has everything that is said.
 
 pub mod assess;
+pub mod camera_sheet;
 pub mod choices;
 pub mod entry;
 pub mod export;

@@ -330,13 +330,13 @@ pub const DISPARITIES: &[Way] = &[
 ];
 
 /// Whether a field of view is so small that its number is an angle in radians: below π, a telescope's in degrees.
-fn may_be_radians(reading: &Reading) -> bool {
+pub(crate) fn may_be_radians(reading: &Reading) -> bool {
     let is_view = [fields::HORIZONTAL_VIEW, fields::VERTICAL_VIEW, fields::DIAGONAL_VIEW].contains(&reading.key);
     is_view && !reading.unit_was_typed && (0.0..PI).contains(&reading.number) && reading.number > 0.0
 }
 
 /// Asks which of the two it is.
-fn degrees_or_radians(reading: &Reading) -> Note {
+pub(crate) fn degrees_or_radians(reading: &Reading) -> Note {
     let number = reading.number_text.clone();
     let fixes = [" rad", "°"].map(|unit| {
         let value = format!("{number}{unit}");

@@ -3,6 +3,7 @@
 //!
 //! All of them are shown by the snapshots in `tests/sentences` of the program.
 
+mod camera;
 mod command_line;
 mod description;
 mod headline;
@@ -12,6 +13,7 @@ mod phrase;
 mod statement;
 mod words;
 
+pub use camera::CameraWords;
 pub use command_line::CommandLine;
 pub use description::Description;
 pub use page::Page;
