@@ -2,12 +2,13 @@
 //! pressed); `logic.rs` is the one place that carries them out, in order.
 
 use super::copyable::Copyable;
-use super::dialog::Dialog;
+use super::dialog::{Destination, Dialog};
 use super::rigs::Rig;
 use super::saved::Screen;
 use super::sentences::NoticeText;
 use crate::core::problem::Field;
 use crate::core::quantity::LengthUnit;
+use depth_presets::Size;
 use depth_text::entry::Entry;
 use depth_text::field::Key as FieldKey;
 use depth_text::form::Inputs;
@@ -23,12 +24,14 @@ pub enum Helper {
     Baseline,
     /// What a program calls a disparity, and doffs.
     Disparity,
+    /// How large known things are.
+    Size,
 }
 
 impl Helper {
     /// Whether its link comes behind all fields in the order of the focus: whoever types five numbers in a row needs it least.
     pub const fn comes_last(self) -> bool {
-        matches!(self, Self::Baseline)
+        matches!(self, Self::Baseline | Self::Size)
     }
 
     /// The helper that is offered at `field`.
@@ -37,7 +40,18 @@ impl Helper {
             Field::FocalLength => Some(Self::FocalLength),
             Field::Baseline => Some(Self::Baseline),
             Field::Disparity => Some(Self::Disparity),
+            Field::RealWidth => Some(Self::Size),
             _ => None,
+        }
+    }
+
+    /// The heading of its dialog.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::FocalLength => "Where does the focal length come from?",
+            Self::Baseline => "How do the cameras stand to the line of sight?",
+            Self::Disparity => "Where does the disparity come from?",
+            Self::Size => "Known sizes",
         }
     }
 }
@@ -63,6 +77,8 @@ pub enum Command {
     Fix(FieldKey, Entry),
     /// Replace what was typed into several fields of the form by what a helper computed, as one edit.
     FillIn(Vec<(FieldKey, Entry)>),
+    /// Fill in the size of a known object.
+    UseSize(&'static Size),
     /// Open the helper for the focal length at this way, with this multiple of the image's width.
     AskForWidth(&'static str, Entry),
     /// Move what a picture has of this field to this number, in the unit that it was typed in; all moves until [`Command::Settle`] are
@@ -136,9 +152,13 @@ impl Command {
             Self::SaveReport => "Save report (HTML)",
             Self::ShowDialog(Some(Dialog::Keys)) => "Keys",
             Self::ShowDialog(Some(Dialog::About)) => "About Depth Calculator",
+            Self::ShowDialog(Some(Dialog::KnownCameras(Destination::Calculator))) => "Known cameras…",
+            Self::ShowDialog(Some(Dialog::KnownCameras(Destination::Rig))) => "Add a known camera…",
+            Self::ShowDialog(Some(Dialog::CameraFacts(_))) => "Camera facts…",
             Self::Help(Some(Helper::FocalLength)) => "From lens, FOV or Q…",
             Self::Help(Some(Helper::Baseline)) => "Not square…",
             Self::Help(Some(Helper::Disparity)) => "OpenCV × 16, doffs…",
+            Self::Help(Some(Helper::Size)) => "Known sizes…",
             Self::Help(None) => "Cancel",
             Self::Ask(mode) => mode.name(),
             Self::ShowRefinements(_) => "Range, tilt, zero point",
@@ -162,6 +182,7 @@ impl Command {
             | Self::Follow(_)
             | Self::Fix(..)
             | Self::FillIn(_)
+            | Self::UseSize(_)
             | Self::AskForWidth(..)
             | Self::GoTo(_)
             | Self::Drag(..)
@@ -233,6 +254,7 @@ impl Command {
             | Self::Follow(_)
             | Self::Fix(..)
             | Self::FillIn(_)
+            | Self::UseSize(_)
             | Self::AskForWidth(..)
             | Self::Ask(_)
             | Self::UseCalibration(_)

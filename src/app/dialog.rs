@@ -11,6 +11,19 @@ pub enum Dialog {
     Keys,
     /// What the program is, and its licenses.
     About,
+    /// The cameras that everybody knows.
+    KnownCameras(Destination),
+    /// What is stated of a camera, and what follows.
+    CameraFacts(Destination),
+}
+
+/// Where what a dialog gives goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Destination {
+    /// Into the form of the calculator.
+    Calculator,
+    /// Into the rigs.
+    Rig,
 }
 
 /// The frame of a dialog: a card over the screen, with a heading.

@@ -3,10 +3,12 @@
 
 use super::App;
 use super::calculator;
+use super::camera_facts;
 use super::chart_picture::ChartPicture;
 use super::command::Command;
 use super::context::AppContext;
 use super::copyable::Copyable;
+use super::dialog::Dialog;
 use super::notice::Notice;
 use super::platform::{Event, FileContents};
 #[cfg(not(target_arch = "wasm32"))]
@@ -15,6 +17,8 @@ use super::saved::{Saved, Screen};
 use super::sentences::{FreshStart, NoticeText, Place, PlatformError};
 use super::theme::{self, Layout};
 use super::widgets::field;
+use crate::core::quantity::{Length, LengthUnit};
+use depth_presets::Size;
 use depth_text::entry::Entry;
 use depth_text::export::{Exporter as _, Text};
 use depth_text::field::Key;
@@ -101,6 +105,7 @@ impl App {
             }
             Command::Fix(key, entry) => self.fix(ctx, vec![(key, entry)]),
             Command::FillIn(fields) => self.fix(ctx, fields),
+            Command::UseSize(size) => self.use_size(ctx, size),
             Command::AskForWidth(way, multiple) => {
                 self.settings.entries.fill(fields::MULTIPLE, multiple);
                 self.calculator.open_way(&mut self.settings.ways, way);
@@ -109,7 +114,7 @@ impl App {
             Command::Drag(key, number) => self.session.inputs.entry_mut(key).text = number::plain(number),
             Command::SavePicture(title, chart) => self.chart_picture = Some(ChartPicture::new(title, chart)),
             Command::SaveReport => self.save_report(ctx),
-            Command::ShowDialog(dialog) => self.dialog = dialog,
+            Command::ShowDialog(dialog) => self.show_dialog(dialog),
             Command::Help(helper) => self.calculator.helper = helper,
             Command::Ask(mode) => self.ask(mode),
             Command::ShowRefinements(shown) => self.calculator.show_refinements(&mut self.settings, shown),
@@ -244,6 +249,31 @@ impl App {
                 self.settings.entries.entry_mut(key).tidy(key);
             }
         }
+    }
+
+    /// Fills in a known size, what of the object that is, and how exact it is; what it is, and from where, is said.
+    fn use_size(&mut self, ctx: &egui::Context, size: &'static Size) {
+        let millimeters = |length: Length| number::plain(length.m() * 1000.0);
+        let inputs = &mut self.session.inputs;
+        inputs.object = size.object;
+        *inputs.entry_mut(fields::REAL_WIDTH) = Entry {
+            sigma: size.sigma.map(millimeters).unwrap_or_default(),
+            ..Entry::new(millimeters(size.size), Some(LengthUnit::Millimeter))
+        };
+        self.calculator.helper = None;
+        let key = fields::REAL_WIDTH;
+        ctx.memory_mut(|memory| memory.request_focus(field::id(key)));
+        let (label, source) = (size.label, size.source);
+        self.say(NoticeText::FilledBySize { label, source }, Some(Command::Undo));
+    }
+
+    /// Opens a dialog, or closes the one that is open.
+    fn show_dialog(&mut self, dialog: Option<Dialog>) {
+        if let Some(Dialog::CameraFacts(destination)) = dialog {
+            let rig = self.settings.rigs.shown().map(|rig| &rig.inputs);
+            self.settings.sheet = camera_facts::opened(destination, &self.settings.sheet, rig);
+        }
+        self.dialog = dialog;
     }
 
     pub(super) fn say(&mut self, text: NoticeText, action: Option<Command>) {

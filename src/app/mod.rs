@@ -6,12 +6,14 @@
 mod about;
 mod batches;
 mod calculator;
+mod camera_facts;
 mod chart_picture;
 mod command;
 mod context;
 mod copyable;
 mod dialog;
 mod import;
+mod known;
 mod learn;
 mod logic;
 mod menu_key;
@@ -32,6 +34,7 @@ mod widgets;
 
 use crate::core::problem::Field;
 use calculator::Calculator;
+use camera_facts::CameraFacts;
 use chart_picture::ChartPicture;
 use command::Command;
 pub use copyable::Copyable;
@@ -65,6 +68,7 @@ pub struct App {
     holds_unreadable: bool,
     calculator: Calculator,
     rigs: Rigs,
+    camera_facts: CameraFacts,
     /// The dialog that opens calibration files, where it is open.
     import: Option<Import>,
     /// The number of the last work beside the window.
@@ -110,6 +114,7 @@ impl App {
             holds_unreadable: unread.is_some(),
             calculator: Calculator::default(),
             rigs: Rigs::default(),
+            camera_facts: CameraFacts::default(),
             import: None,
             last_run: 0,
             notice: None,

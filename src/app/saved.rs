@@ -3,6 +3,7 @@
 use super::rigs::RigList;
 use super::sentences::PlatformError;
 use crate::core::quantity::LengthUnit;
+use depth_text::camera_sheet::CameraSheet;
 use depth_text::entry::Entries;
 use depth_text::field::Key;
 use depth_text::form::Inputs;
@@ -69,6 +70,8 @@ pub struct Settings {
     pub ways: Ways,
     /// The rigs that are kept.
     pub rigs: RigList,
+    /// What is stated of a camera.
+    pub sheet: CameraSheet,
 }
 
 /// The key of the chosen way, by that of the helper.
@@ -85,6 +88,7 @@ impl Default for Settings {
             entries: Entries::default(),
             ways: Ways::new(),
             rigs: RigList::default(),
+            sheet: CameraSheet::default(),
         }
     }
 }
@@ -143,6 +147,8 @@ struct Stored {
     ways: Ways,
     #[serde(default)]
     rigs: RigList,
+    #[serde(default)]
+    sheet: CameraSheet,
 }
 
 /// The stored text of version 1, which kept texts by the English labels of their fields.
@@ -173,6 +179,7 @@ impl From<StoredVersion1> for Stored {
             shows_geometry: stored.shows_geometry,
             shows_two: false,
             rigs: RigList::default(),
+            sheet: CameraSheet::default(),
             ways: version1::ways(&stored.texts),
             entries: version1::entries(stored.texts),
         }
@@ -210,6 +217,7 @@ impl Saved {
             entries: self.settings.entries.clone(),
             ways: self.settings.ways.clone(),
             rigs: self.settings.rigs.clone(),
+            sheet: self.settings.sheet.clone(),
         })
         .map_err(|error| PlatformError::NotSerialized { reason: error.to_string() })
     }
@@ -250,6 +258,7 @@ impl From<Stored> for Saved {
                 entries: stored.entries,
                 ways: stored.ways,
                 rigs: stored.rigs,
+                sheet: stored.sheet,
             },
         }
     }
@@ -286,6 +295,7 @@ mod tests {
                 shows_refinements: true,
                 entries: entries(&[(fields::LENS, "4", "")]),
                 ways: Ways::from([("d".into(), "kitti".into())]),
+                sheet: CameraSheet::default(),
                 rigs: RigList {
                     all: vec![Rig {
                         name: "Robot".into(),

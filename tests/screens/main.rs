@@ -18,6 +18,7 @@ mod geometry;
 mod helpers;
 mod images;
 mod keyboard;
+mod known;
 mod learn;
 mod llvmpipe;
 mod machine;

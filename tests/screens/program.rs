@@ -56,14 +56,24 @@ impl Program {
     /// Whether there is a field of this name that is typed into.
     pub fn has_input(&self, name: &str) -> bool {
         let mut nodes = self.harness.query_all_by_label(name);
-        nodes.any(|node| matches!(node.accesskit_node().role(), Role::NumberInput | Role::TextInput))
+        nodes.any(|node| {
+            matches!(
+                node.accesskit_node().role(),
+                Role::NumberInput | Role::TextInput | Role::SearchInput
+            )
+        })
     }
 
     /// The field of this name that is typed into.
     pub fn input<'a>(&'a self, name: &'a str) -> egui_kittest::Node<'a> {
         self.harness
             .get_all_by_label(name)
-            .find(|node| matches!(node.accesskit_node().role(), Role::NumberInput | Role::TextInput))
+            .find(|node| {
+                matches!(
+                    node.accesskit_node().role(),
+                    Role::NumberInput | Role::TextInput | Role::SearchInput
+                )
+            })
             .unwrap()
     }
 

@@ -500,6 +500,33 @@ fn rigs_look_as_before() {
 }
 
 #[test]
+fn known_sizes_and_cameras_look_as_before() {
+    look("known-sizes", &DIALOG, |program| {
+        program.press("Known sizes…");
+        program.type_into("Search the known sizes", "paper");
+        program.blur();
+    });
+    look("known-cameras", &DIALOG, |program| {
+        program.show("Rigs");
+        program.press("Add a known camera…");
+        program.blur();
+    });
+}
+
+#[test]
+fn camera_facts_look_as_before() {
+    look("camera-facts", &DIALOG, |program| {
+        program.press("From lens, FOV or Q…");
+        program.press("Camera facts…");
+        program.type_into("Width of the image", "1280");
+        program.type_into("Height of the image", "800");
+        program.type_into("Horizontal field of view", "71.86");
+        program.type_into("Diagonal field of view", "83.76");
+        program.blur();
+    });
+}
+
+#[test]
 fn a_calibration_looks_as_before() {
     look("import", &DIALOG, |program| {
         rigs::open(program, Ok(vec![rigs::file("stereo.yml", rigs::OPENCV_IN_SQUARES)]));

@@ -11,6 +11,7 @@
 //!   `[form, strip Distance]` shows the cells of the answer to what is asked for, with what is remarked below each.
 //!   `object: height` and `pair: vertical` are what is chosen.
 //! - `[way KEY]`: the fields that this way to a number asks for.
+//! - `[camera]`: what is stated of a camera; `[camera, equisolid]` of a fisheye, `[camera, under water]` under water.
 //! - `[Q matrix]`: the text of a matrix.
 //! - `[command line]`: the arguments; with `[command line, disk full]` the answer cannot be written.
 #![cfg(not(target_arch = "wasm32"))]

@@ -1,9 +1,12 @@
 //! What is said about the cases of a file.
 
 use crate::case::{Case, cases};
+use depth_calculator::core::camera::Projection;
 use depth_calculator::core::problem::{Field, Method};
 use depth_calculator::core::quantity::{Length, LengthUnit};
+use depth_text::camera_sheet::CameraSheet;
 use depth_text::field::Key;
+use depth_text::fields;
 use depth_text::form::Inputs;
 use depth_text::note::{Issue, Note, Part, Severity};
 use depth_text::report::{Mode, Shown, Strip};
@@ -57,6 +60,7 @@ impl Said {
                 Ok(_) => {}
                 Err(issue) => self.issue("error", &issue),
             },
+            "camera" => self.camera(case),
             "command line" => self.arguments(case),
             way => {
                 let key = way.strip_prefix("way ").unwrap_or_else(|| panic!("what is [{way}]?"));
@@ -66,6 +70,22 @@ impl Said {
                     self.note(note);
                 }
             }
+        }
+    }
+
+    fn camera(&mut self, case: &Case<'_>) {
+        let sheet = CameraSheet {
+            entries: case.entries(),
+            projection: Projection::ALL.iter().position(|one| one.name() == case.how).unwrap_or_default(),
+            is_under_water: case.how == "under water",
+        };
+        let solved = sheet.solve();
+        solved.notes.iter().for_each(|note| self.note(note));
+        for (severity, sentence) in &solved.said {
+            self.line(&format!("  {severity:?}: {sentence}"));
+        }
+        if let Some(fx) = solved.following(fields::CAMERA_FX) {
+            self.line(&format!("  fx would be {fx} px"));
         }
     }
 

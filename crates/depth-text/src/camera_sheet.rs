@@ -63,6 +63,26 @@ impl CameraSheet {
 
     /// Reads it, and works everything out.
     pub fn solve(&self) -> SolvedSheet {
+        let mut solved = self.read();
+        let stated: Vec<(Key, Fact)> = solved.readings.iter().filter_map(|one| Some((one.key, fact(one)?))).collect();
+        if stated.is_empty() || !solved.notes.is_empty() {
+            return solved;
+        }
+        let [Some(width), Some(height)] = [FRAME_WIDTH, FRAME_HEIGHT].map(|key| solved.value(key).map(Pixels::new)) else {
+            solved.said.push((Severity::Warning, NO_SIZE.to_owned()));
+            return solved;
+        };
+        let facts = CameraFacts {
+            size: [width, height],
+            facts: stated.iter().map(|(_, fact)| *fact).collect(),
+            ..self.circumstances(&solved)
+        };
+        let (answer, said) = self.answer(&facts, &solved, &stated);
+        SolvedSheet { answer, said, ..solved }
+    }
+
+    /// Reads its fields.
+    fn read(&self) -> SolvedSheet {
         let mut solved = SolvedSheet::default();
         for &key in Self::GROUPS.iter().flat_map(|(_, keys)| *keys) {
             match reading::read(key, self.entries.entry(key)) {
@@ -73,18 +93,15 @@ impl CameraSheet {
                 Err(note) => solved.notes.push(note),
             }
         }
-        let stated: Vec<(Key, Fact)> = solved.readings.iter().filter_map(|one| Some((one.key, fact(one)?))).collect();
-        let size = [FRAME_WIDTH, FRAME_HEIGHT].map(|key| solved.value(key).map(Pixels::new));
-        let (false, [Some(width), Some(height)], true) = (stated.is_empty(), size, solved.notes.is_empty()) else {
-            if !stated.is_empty() && solved.notes.is_empty() {
-                solved.said.push((Severity::Warning, NO_SIZE.to_owned()));
-            }
-            return solved;
-        };
+        solved
+    }
+
+    /// What is stated beside the focal length.
+    fn circumstances(&self, solved: &SolvedSheet) -> CameraFacts {
         let length = |key| solved.value(key).map(Length::from_m);
-        let facts = CameraFacts {
-            size: [width, height],
-            facts: stated.iter().map(|(_, fact)| *fact).collect(),
+        CameraFacts {
+            size: [Pixels::new(0.0); 2],
+            facts: Vec::new(),
             sensor: Sensor {
                 pitch: length(PIXEL_PITCH),
                 width: length(SENSOR_WIDTH),
@@ -94,7 +111,11 @@ impl CameraSheet {
             focused_at: length(FOCUSED_AT),
             projection: self.projection(),
             is_under_water: self.is_under_water,
-        };
+        }
+    }
+
+    /// What follows from `facts`, each of which was stated in a field, and what is to be said of it.
+    fn answer(&self, facts: &CameraFacts, solved: &SolvedSheet, stated: &[(Key, Fact)]) -> (Option<CameraAnswer>, Vec<(Severity, String)>) {
         let key_at = |at: usize| stated.get(at).map_or(CAMERA_FX, |(key, _)| *key);
         let stated_at = |at: usize| {
             let text = solved.reading(key_at(at)).map(Reading::text).unwrap_or_default();
@@ -112,7 +133,7 @@ impl CameraSheet {
             dry: "switch “under water” off",
             facts: "a focal length, a field of view, a 35 mm equivalent, or a lens with its sensor",
         };
-        let (answer, said) = match facts.solve() {
+        match facts.solve() {
             Ok(answer) => {
                 let said = answer.remarks.iter().map(|remark| (Severity::Warning, words.remark(remark)));
                 let said = said.collect();
@@ -122,8 +143,7 @@ impl CameraSheet {
                 let sentence = words.problem(problem, self.projection().name());
                 (None, vec![(Severity::Error, sentence)])
             }
-        };
-        SolvedSheet { answer, said, ..solved }
+        }
     }
 }
 

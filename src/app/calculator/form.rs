@@ -7,7 +7,7 @@ use crate::app::context::AppContext;
 use crate::app::theme;
 use crate::app::widgets::field;
 use crate::app::widgets::segments::{self, Segments};
-use crate::app::widgets::{choice, menu};
+use crate::app::widgets::{choice, menu, pairs};
 use crate::core::setup::{Object, Pair};
 use depth_text::field::{Key, Section};
 use depth_text::fields;
@@ -207,39 +207,14 @@ fn groups_ui(ui: &mut Ui, cx: &mut AppContext<'_>, groups: &[Group]) {
             ui.add_space(theme::ABOVE_HEADING - theme::FIELD_GAP);
         }
         let line = heading_ui(ui, name, None);
-        let columns = if ui.available_width() >= theme::PAIR_WIDTH { 2 } else { 1 };
         if index == 0 {
-            sigma_heading_ui(ui, line, columns == 2);
+            sigma_heading_ui(ui, line, ui.available_width() >= theme::PAIR_WIDTH);
         }
-        if columns == 1 {
-            for &key in *keys {
-                part_ui(ui, Part::Field(key.as_str()), |ui| field_ui(ui, cx, key, false));
-                ui.add_space(theme::FIELD_GAP);
-            }
-            continue;
-        }
-        for pair in keys.chunks(2) {
-            pair_ui(ui, cx, pair);
-            ui.add_space(theme::FIELD_GAP);
-        }
+        pairs::ui(ui, keys, |ui, key| {
+            part_ui(ui, Part::Field(key.as_str()), |ui| field_ui(ui, cx, key, false));
+        });
     }
     ui.add_space(theme::ABOVE_HEADING - theme::FIELD_GAP);
-}
-
-/// Draws two fields side by side.
-fn pair_ui(ui: &mut Ui, cx: &mut AppContext<'_>, pair: &[Key]) {
-    let gap = 2.0 * theme::STEP;
-    let width = ((ui.available_width() - gap) / 2.0).floor();
-    ui.horizontal_top(|ui| {
-        ui.spacing_mut().item_spacing.x = gap;
-        for &key in pair {
-            let layout = egui::Layout::top_down(egui::Align::Min);
-            ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {
-                ui.set_width(width);
-                part_ui(ui, Part::Field(key.as_str()), |ui| field_ui(ui, cx, key, false));
-            });
-        }
-    });
 }
 
 /// Draws what refines a distance. Returns its place.

@@ -24,6 +24,7 @@ pub use unknown::FIRST as FIRST_UNKNOWN;
 
 use super::command::Helper;
 use super::context::AppContext;
+use super::known;
 use super::navigation;
 use super::saved::{Settings, Ways};
 use super::session::Session;
@@ -93,8 +94,10 @@ impl Calculator {
         } else {
             self.columns_ui(ui, cx, gap);
         }
-        if let Some(helper) = self.helper {
-            helpers::ui(ui, cx, helper, &self.solved);
+        match self.helper {
+            Some(Helper::Size) => known::sizes_ui(ui, cx),
+            Some(helper) => helpers::ui(ui, cx, helper, &self.solved),
+            None => {}
         }
     }
 

@@ -63,6 +63,7 @@ pub fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, key: Key, marked: bool) ->
         helper,
         id: field::id(key),
         submits: true,
+        following: None,
         entry: inputs.entry_mut(key),
     };
     let line = field.ui(ui, cx.commands);

@@ -305,6 +305,7 @@ fn unit_ui(ui: &mut Ui, cx: &mut AppContext<'_>, shown: &mut Shown) -> Option<Re
             helper: None,
             id: Id::unique("square of the board of a file"),
             submits: false,
+            following: None,
         }
         .ui(ui, cx.commands);
     }

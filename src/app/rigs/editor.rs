@@ -4,10 +4,11 @@ use super::list::letter;
 use super::rig::{Basis, Rig};
 use crate::app::command::Command;
 use crate::app::context::AppContext;
+use crate::app::dialog::{Destination, Dialog};
 use crate::app::theme;
 use crate::app::widgets::field::Field;
 use crate::app::widgets::joined::{self, Cells};
-use crate::app::widgets::{choice, main_button, text, text_menu};
+use crate::app::widgets::{choice, main_button, pairs, text, text_menu};
 use crate::core::setup::Pair;
 use depth_text::assess::Assessment;
 use depth_text::field::Key;
@@ -41,9 +42,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, assessment: Option<&Assessment>)
         text_field_ui(ui, (place, "Name"), (&mut rig.name, "Robot, front"), &mut commands);
         for (heading, keys) in GROUPS {
             group_heading_ui(ui, heading, rig);
-            for pair in keys.chunks(2) {
-                pair_ui(ui, (place, pair), rig, assessment, &mut commands);
-            }
+            pairs::ui(ui, keys, |ui, key| field_ui(ui, (place, key), rig, assessment, &mut commands));
         }
         text_field_ui(
             ui,
@@ -60,9 +59,13 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, assessment: Option<&Assessment>)
         if main_button::ui(ui, use_it.text(), !rig.is_blank()) {
             commands.push(use_it);
         }
-        let remove = Command::RemoveRig(at);
-        if ui.add(Button::new(remove.text()).min_size(vec2(0.0, height))).clicked() {
-            commands.push(remove);
+        for command in [
+            Command::ShowDialog(Some(Dialog::CameraFacts(Destination::Rig))),
+            Command::RemoveRig(at),
+        ] {
+            if ui.add(Button::new(command.text()).min_size(vec2(0.0, height))).clicked() {
+                commands.push(command);
+            }
         }
     });
     for command in commands {
@@ -90,29 +93,6 @@ fn group_heading_ui(ui: &mut Ui, heading: &str, rig: &mut Rig) {
     }
 }
 
-fn pair_ui(ui: &mut Ui, (place, pair): (Place, &[Key]), rig: &mut Rig, assessment: Option<&Assessment>, commands: &mut Vec<Command>) {
-    let gap = 2.0 * theme::STEP;
-    let columns = if ui.available_width() >= theme::PAIR_WIDTH { 2 } else { 1 };
-    let width = if columns == 2 {
-        ((ui.available_width() - gap) / 2.0).floor()
-    } else {
-        ui.available_width()
-    };
-    for row in pair.chunks(columns) {
-        ui.horizontal_top(|ui| {
-            ui.spacing_mut().item_spacing.x = gap;
-            for &key in row {
-                let layout = egui::Layout::top_down(egui::Align::Min);
-                ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {
-                    ui.set_width(width);
-                    field_ui(ui, (place, key), rig, assessment, commands);
-                });
-            }
-        });
-        ui.add_space(theme::FIELD_GAP);
-    }
-}
-
 fn field_ui(ui: &mut Ui, (place, key): (Place, Key), rig: &mut Rig, assessment: Option<&Assessment>, commands: &mut Vec<Command>) {
     // What is of the calculator too, the assessment has read.
     let own = reading::read(key, rig.inputs.entry(key));
@@ -130,6 +110,7 @@ fn field_ui(ui: &mut Ui, (place, key): (Place, Key), rig: &mut Rig, assessment: 
         helper: None,
         id: Id::unique(("field of a rig", place, key.as_str())),
         submits: false,
+        following: None,
         entry: rig.inputs.entry_mut(key),
     };
     field.ui(ui, commands);

@@ -4,10 +4,9 @@ use super::list::letter;
 use super::rig::{MOST, Rig};
 use crate::app::command::Command;
 use crate::app::context::AppContext;
+use crate::app::dialog::{Destination, Dialog};
 use crate::app::theme;
-use crate::app::widgets::menu::List;
 use crate::app::widgets::{choice, text};
-use depth_presets::{Mode, PRESETS, Preset};
 use depth_text::fields;
 use depth_text::reading;
 use egui::accesskit::{Role, Toggled};
@@ -159,38 +158,10 @@ fn buttons_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
             }
         };
         button_ui(Command::ShowImport, true);
+        button_ui(Command::ShowDialog(Some(Dialog::KnownCameras(Destination::Rig))), has_room);
         button_ui(Command::AddRig(Box::default()), has_room);
         if has_rigs {
             button_ui(Command::ExportRigs, true);
         }
     });
-    if has_room {
-        ui.add_space(2.0 * theme::STEP);
-        presets_ui(ui, cx);
-    }
-}
-
-/// The cameras that everybody knows, each with the sizes of its images.
-fn presets_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
-    let all: Vec<(&Preset, &Mode)> = PRESETS
-        .iter()
-        .flat_map(|preset| preset.modes.iter().map(move |mode| (preset, mode)))
-        .collect();
-    let name = |(preset, mode): &(&Preset, &Mode)| match (mode.width, mode.height) {
-        (Some(width), Some(height)) => format!("{}, {width} × {height} px", preset.label),
-        (Some(width), None) => format!("{}, {width} px wide", preset.label),
-        _ => preset.label.to_owned(),
-    };
-    let names: Vec<String> = all.iter().map(name).collect();
-    let list = List {
-        name: "Known camera",
-        shown: "Add a known camera…",
-        width: ui.available_width(),
-        names: &names,
-        chosen: None,
-    };
-    let (_, now) = list.ui(ui, "cameras that everybody knows");
-    if let Some((preset, mode)) = now.and_then(|at| all.get(at)) {
-        cx.commands.push(Command::AddRig(Box::new(Rig::of_preset(preset, mode))));
-    }
 }

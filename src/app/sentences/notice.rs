@@ -29,6 +29,8 @@ pub enum NoticeText {
     FilledByQMatrix,
     /// A rig was filled in.
     FilledByRig(String),
+    /// A known size was filled in.
+    FilledBySize { label: &'static str, source: &'static str },
     /// Rigs of a file were added, and so many found no room.
     RigsAdded { added: usize, left_out: usize },
     /// A rig was removed.
@@ -85,6 +87,7 @@ impl Display for NoticeText {
             Self::FilledByExample => f.write_str("The example is filled in."),
             Self::FilledByLink => f.write_str("The link filled in the fields that it names."),
             Self::FilledByQMatrix => f.write_str("The Q matrix filled in focal length, baseline, doffs and the principal point (cx, cy)."),
+            Self::FilledBySize { label, source } => write!(f, "{label} is filled in, from: {source}."),
             Self::FilledByRig(name) => write!(f, "“{name}” is filled in."),
             Self::RigsAdded { added: 0, left_out: 0 } => {
                 f.write_str("No rig was added: those of the file are here already, or it has none.")
@@ -156,6 +159,7 @@ mod tests {
             NoticeText::FilledByLink => NoticeText::FilledByLink,
             NoticeText::FilledByQMatrix => NoticeText::FilledByQMatrix,
             NoticeText::FilledByRig(_) => NoticeText::FilledByRig("Robot, front".to_owned()),
+            NoticeText::FilledBySize { .. } => NoticeText::FilledBySize { label: "Bank or ID card, long side", source: "ISO/IEC 7810, ID-1" },
             NoticeText::RigsAdded { .. } => NoticeText::RigsAdded { added: 2, left_out: 0 },
             NoticeText::RigsNotRead { .. } => NoticeText::RigsNotRead { file: "rigs.json".to_owned() },
             NoticeText::RigRemoved(_) => NoticeText::RigRemoved("Robot, front".to_owned()),

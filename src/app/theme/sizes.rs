@@ -368,6 +368,14 @@ pub mod paper {
     pub const GROUND_HEIGHT: f32 = 136.0;
 }
 
+/// The widest the dialogs with what everybody knows grow.
+pub const KNOWN_WIDTH: f32 = 560.0;
+/// What of the height of the window their lists do not get.
+pub const KNOWN_FRAME_HEIGHT: f32 = 250.0;
+/// The widest the dialog with the facts of a camera grows.
+pub const CAMERA_WIDTH: f32 = 640.0;
+/// What of the height of the window its fields do not get, beside what is said of them.
+pub const CAMERA_FRAME_HEIGHT: f32 = 200.0;
 /// The dialog with what calibration files say.
 pub const IMPORT_WIDTH: f32 = 720.0;
 /// What of that dialog does not scroll, and what is around it.

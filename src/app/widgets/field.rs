@@ -41,6 +41,8 @@ pub struct Field<'a> {
     pub id: Id,
     /// Whether Enter calculates, as in the form.
     pub submits: bool,
+    /// What it would be, which is shown while it is empty; `None` where that is an example.
+    pub following: Option<&'a str>,
 }
 
 /// The id of the text of the field `key`, for moving the focus to it.
@@ -197,10 +199,10 @@ impl Field<'_> {
         }
         // What is missing looks empty.
         let is_missing = self.note(Part::Value).is_some_and(|note| note.issue.is_missing());
-        let example = if is_missing {
-            String::new()
-        } else {
-            self.key.in_unit(self.key.example(), self.length_unit())
+        let example = match self.following {
+            _ if is_missing => String::new(),
+            Some(following) => self.key.in_unit(following, self.length_unit()),
+            None => self.key.in_unit(self.key.example(), self.length_unit()),
         };
         let output = joined::text_ui(ui, cells.value, &mut self.entry.text, (self.id, &example));
         let response = output.response.response.clone().labelled_by(label.id);

@@ -4,16 +4,16 @@ mod q_matrix;
 
 use crate::app::command::{Command, Helper};
 use crate::app::context::AppContext;
-use crate::app::dialog::{DialogFrame, close_button_ui};
+use crate::app::dialog::{Destination, Dialog, DialogFrame, close_button_ui};
 use crate::app::saved::{Settings, Ways};
 use crate::app::sentences::Hint;
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::menu::List;
-use crate::app::widgets::{main_button, scroll, text};
+use crate::app::widgets::{main_button, scroll, sensor_formats, text};
 use crate::core::q_matrix::StereoGeometry;
 use crate::core::quantity::{Length, LengthUnit};
-use depth_text::choices::{MATCHING_ERRORS, SENSOR_FORMATS, SensorFormat};
+use depth_text::choices::MATCHING_ERRORS;
 use depth_text::entry::Entry;
 use depth_text::fields;
 use depth_text::note::{Issue, Note};
@@ -22,20 +22,13 @@ use depth_text::reading::{self, Reading};
 use depth_text::ways::{BASELINES, DISPARITIES, FOCAL_LENGTHS, Way, WayResult};
 use egui::Ui;
 
-const fn title(helper: Helper) -> &'static str {
-    match helper {
-        Helper::FocalLength => "Where does the focal length come from?",
-        Helper::Baseline => "How do the cameras stand to the line of sight?",
-        Helper::Disparity => "Where does the disparity come from?",
-    }
-}
-
 /// Its name in what is stored.
 const fn key(helper: Helper) -> &'static str {
     match helper {
         Helper::FocalLength => "fx",
         Helper::Baseline => "b",
         Helper::Disparity => "d",
+        Helper::Size => "wreal",
     }
 }
 
@@ -44,6 +37,7 @@ const fn ways(helper: Helper) -> &'static [Way] {
         Helper::FocalLength => FOCAL_LENGTHS,
         Helper::Baseline => BASELINES,
         Helper::Disparity => DISPARITIES,
+        Helper::Size => &[],
     }
 }
 
@@ -54,7 +48,7 @@ const Q_MATRIX: &str = "A Q matrix of stereoRectify";
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: &Solved) {
     let frame = DialogFrame {
         id: "helper",
-        title: title(helper),
+        title: helper.title(),
         max_width: theme::HELPER_WIDTH,
     };
     let cancel = Command::Help(None);
@@ -80,7 +74,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: &Solved)
             }
             let closes = close_button_ui(ui, cancel.text(), cx.layout);
             if helper == Helper::FocalLength {
-                file_ui(ui, cx);
+                other_ways_ui(ui, cx);
             }
             closes
         })
@@ -91,11 +85,17 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: &Solved)
     }
 }
 
-/// The way from here to a calibration file, which has the baseline too.
-fn file_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
-    let open = Command::ShowImport;
-    if text::link_button_ui(ui, open.text(), cx.layout).clicked() {
-        cx.commands.extend([Command::Help(None), open]);
+/// The ways from here to a calibration file and to a known camera, which have the baseline too, and to all facts of a camera.
+fn other_ways_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+    let dialogs = [
+        Dialog::KnownCameras(Destination::Calculator),
+        Dialog::CameraFacts(Destination::Calculator),
+    ];
+    let dialogs = dialogs.map(|dialog| Command::ShowDialog(Some(dialog)));
+    for open in std::iter::once(Command::ShowImport).chain(dialogs) {
+        if text::link_button_ui(ui, open.text(), cx.layout).clicked() {
+            cx.commands.extend([Command::Help(None), open]);
+        }
     }
 }
 
@@ -188,11 +188,14 @@ fn way_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
             helper: None,
             id: field::id(key),
             submits: false,
+            following: None,
         };
         field.ui(ui, cx.commands);
         ui.add_space(theme::STEP);
-        if key == fields::SENSOR_WIDTH {
-            sensor_formats_ui(ui, cx.settings.entries.entry_mut(key));
+        if key == fields::SENSOR_WIDTH
+            && let Some(format) = sensor_formats::ui(ui)
+        {
+            *cx.settings.entries.entry_mut(key) = Entry::new(plain(format.width_mm), Some(LengthUnit::Millimeter));
         }
     }
     if let Some(view) = result.view {
@@ -215,23 +218,6 @@ fn use_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
             std::iter::once((way.target, way.entry(value))).chain(also).collect(),
         ));
     }
-}
-
-fn sensor_formats_ui(ui: &mut Ui, entry: &mut Entry) {
-    let name = |format: &SensorFormat| format!("{}: {} × {} mm", format.name, plain(format.width_mm), plain(format.height_mm));
-    let names: Vec<String> = SENSOR_FORMATS.iter().map(name).collect();
-    let list = List {
-        name: "Common sensor formats",
-        shown: "Common formats…",
-        width: theme::SENSOR_FORMATS_WIDTH,
-        names: &names,
-        chosen: None,
-    };
-    let (_, now) = list.ui(ui, "sensor formats");
-    if let Some(format) = now.and_then(|at| SENSOR_FORMATS.get(at)) {
-        *entry = Entry::new(plain(format.width_mm), Some(LengthUnit::Millimeter));
-    }
-    ui.add_space(2.0 * theme::STEP);
 }
 
 /// A choice among the matching errors that people state, for the σ of the disparity.

@@ -126,6 +126,7 @@ fn squares_ui(ui: &mut Ui, cx: &mut AppContext<'_>, geometry: &StereoGeometry, s
         helper: None,
         id: field::id(key),
         submits: false,
+        following: None,
     };
     field.ui(ui, cx.commands);
     let height = ui.spacing().interact_size.y;
