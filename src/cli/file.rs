@@ -22,7 +22,10 @@ pub(super) fn bytes(file: &Path) -> Result<Vec<u8>, String> {
         std::fs::File::open(file).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes))
     };
     let length = read.map_err(|error| unreadable(&error))?;
-    if u64::try_from(length).is_ok_and(|length| length > LARGEST) {
+    let is_large = u64::try_from(length).is_ok_and(|length| length > LARGEST);
+    if is_large && depth_jobs::is_photograph(&bytes) {
+        bytes.pop();
+    } else if is_large {
         return Err(CommandLine::FileTooLarge { file: name() }.to_string());
     }
     Ok(bytes)

@@ -14,4 +14,4 @@ mod protocol;
 mod sentences;
 
 pub use calibration::{Baseline, Calibration, Camera, Choice, Guess};
-pub use protocol::{Attachment, End, Failure, Job, LARGEST_FILE, MOST_FILES, Outcome, PROTOCOL, Report, Request, Run};
+pub use protocol::{Attachment, End, Failure, Job, LARGEST_FILE, MOST_FILES, Outcome, PROTOCOL, Report, Request, Run, is_photograph};

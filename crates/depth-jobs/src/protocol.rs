@@ -9,6 +9,19 @@ pub const PROTOCOL: u32 = 1;
 /// Bytes of the largest calibration file that is read, and of all of them together.
 pub const LARGEST_FILE: usize = 16 << 20;
 
+/// Whether a file that begins so is a photograph (JPEG): what it says of its camera stands before its picture, so that of one larger than
+/// [`LARGEST_FILE`] the beginning is enough.
+///
+/// ```
+/// assert!(depth_jobs::is_photograph(&[0xff, 0xd8, 0xff, 0xe1]));
+/// assert!(!depth_jobs::is_photograph(b"%YAML:1.0"));
+/// ```
+///
+/// Source: ITU-T T.81, B.1.1.3: the markers SOI, and the first byte of the next.
+pub fn is_photograph(begin: &[u8]) -> bool {
+    begin.starts_with(&[0xff, 0xd8, 0xff])
+}
+
 /// No calibration has more files.
 pub const MOST_FILES: usize = 16;
 

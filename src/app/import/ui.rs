@@ -21,8 +21,9 @@ use egui::text::LayoutJob;
 use egui::{Button, Id, Response, RichText, TextEdit, Ui, vec2};
 
 const TITLE: &str = "Calibration files";
-const LEAD: &str = "What a calibration wrote: of OpenCV, ROS, Kalibr, KITTI, Middlebury, EuRoC, COLMAP, ORB-SLAM, ZED, RealSense and others. They are \
-                    recognized by what is in them, whatever they are called, and stay on this computer.";
+const LEAD: &str = "What a calibration wrote: of OpenCV, ROS, Kalibr, KITTI, Middlebury, EuRoC, COLMAP, ORB-SLAM, ZED, RealSense and others; \
+                    or a photograph (JPEG), whose EXIF says the lens. They are recognized by what is in them, whatever they are called, and stay on \
+                    this computer.";
 
 /// Draws it over the screen.
 pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, import: &mut Import) {

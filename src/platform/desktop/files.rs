@@ -1,7 +1,7 @@
 //! Files that the program gives out, into the folder for downloads, never over another; and files that it is given.
 
 use crate::app::{FileContents, OpenedFile, PlatformError};
-use depth_jobs::{LARGEST_FILE, MOST_FILES};
+use depth_jobs::{LARGEST_FILE, MOST_FILES, is_photograph};
 use std::borrow::Cow;
 use std::fs::{self, File};
 use std::io::{Error, ErrorKind, Read as _, Write as _};
@@ -46,7 +46,9 @@ fn read_one(path: &Path) -> Result<OpenedFile, PlatformError> {
     let most = u64::try_from(LARGEST_FILE).unwrap_or(u64::MAX).saturating_add(1);
     let file = File::open(path).map_err(|error| refused(&error))?;
     file.take(most).read_to_end(&mut bytes).map_err(|error| refused(&error))?;
-    if bytes.len() > LARGEST_FILE {
+    if bytes.len() > LARGEST_FILE && is_photograph(&bytes) {
+        bytes.truncate(LARGEST_FILE);
+    } else if bytes.len() > LARGEST_FILE {
         return Err(PlatformError::FileTooLarge { file: name });
     }
     Ok(OpenedFile { name, bytes })
@@ -166,6 +168,16 @@ mod tests {
         assert_eq!(
             read(&[good.clone(), large]).unwrap_err(),
             PlatformError::FileTooLarge { file: "video.mp4".into() }
+        );
+        let photo = folder.join("photo.jpg");
+        File::create(&photo).unwrap().write_all(&[0xff, 0xd8, 0xff, 0xe1]).unwrap();
+        let whole = u64::try_from(LARGEST_FILE).unwrap() + 100;
+        File::options().write(true).open(&photo).unwrap().set_len(whole).unwrap();
+        let opened = read(std::slice::from_ref(&photo)).unwrap();
+        assert_eq!(
+            opened.first().map(|file| file.bytes.len()),
+            Some(LARGEST_FILE),
+            "its head is enough"
         );
         assert_eq!(read(&vec![good.clone(); MOST_FILES + 1]).unwrap_err(), PlatformError::TooManyFiles);
         for gone in [folder.join("gone.yaml"), folder.clone()] {

@@ -4,7 +4,7 @@ use super::inbox::{Inbox, sentence};
 use super::listeners::{on, on_its_way};
 use super::page;
 use crate::app::{Event, OpenedFile, PlatformError};
-use depth_jobs::{LARGEST_FILE, MOST_FILES};
+use depth_jobs::{LARGEST_FILE, MOST_FILES, is_photograph};
 use wasm_bindgen::{JsCast as _, JsValue};
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{File, FileList, HtmlInputElement};
@@ -91,11 +91,9 @@ const fn largest() -> f64 {
 
 async fn read_one(file: &File) -> Result<OpenedFile, PlatformError> {
     let name = file.name();
-    if file.size() > largest() {
-        return Err(PlatformError::FileTooLarge { file: name });
-    }
     match read_slices(file).await {
-        Ok(bytes) => Ok(OpenedFile { name, bytes }),
+        Ok(Some(bytes)) => Ok(OpenedFile { name, bytes }),
+        Ok(None) => Err(PlatformError::FileTooLarge { file: name }),
         Err(error) => Err(PlatformError::FileNotOpened {
             file: name,
             reason: sentence(&error),
@@ -106,15 +104,19 @@ async fn read_one(file: &File) -> Result<OpenedFile, PlatformError> {
 /// So much of a file is asked for at once, in bytes: there is never more of it than that beside what has been read.
 const SLICE: f64 = 1_048_576.0;
 
-async fn read_slices(file: &File) -> Result<Vec<u8>, JsValue> {
-    let (size, mut begin) = (file.size(), 0.0);
+/// What is in `file`, of a large photograph as much as is read; `None` of another that is larger.
+async fn read_slices(file: &File) -> Result<Option<Vec<u8>>, JsValue> {
+    let (size, mut begin) = (file.size().min(largest()), 0.0);
     let mut bytes = Vec::new();
     while begin < size {
         let end = size.min(begin + SLICE);
         let slice = file.slice_with_f64_and_f64(begin, end)?;
         let buffer = JsFuture::from(slice.array_buffer()).await?;
         bytes.extend(js_sys::Uint8Array::new(&buffer).to_vec());
+        if file.size() > largest() && !is_photograph(&bytes) {
+            return Ok(None);
+        }
         begin = end;
     }
-    Ok(bytes)
+    Ok(Some(bytes))
 }
