@@ -155,6 +155,7 @@ impl Command {
             Self::ShowDialog(Some(Dialog::KnownCameras(Destination::Calculator))) => "Known cameras…",
             Self::ShowDialog(Some(Dialog::KnownCameras(Destination::Rig))) => "Add a known camera…",
             Self::ShowDialog(Some(Dialog::CameraFacts(_))) => "Camera facts…",
+            Self::ShowDialog(Some(Dialog::SensorMode)) => "Another mode…",
             Self::Help(Some(Helper::FocalLength)) => "From lens, FOV or Q…",
             Self::Help(Some(Helper::Baseline)) => "Not square…",
             Self::Help(Some(Helper::Disparity)) => "OpenCV × 16, doffs…",

@@ -15,6 +15,8 @@ pub enum Dialog {
     KnownCameras(Destination),
     /// What is stated of a camera, and what follows.
     CameraFacts(Destination),
+    /// Another mode of the sensor of the rig that is shown.
+    SensorMode,
 }
 
 /// Where what a dialog gives goes.

@@ -24,6 +24,7 @@ mod platform;
 mod report;
 mod rigs;
 mod saved;
+mod sensor_mode;
 mod sentences;
 mod session;
 mod shortcuts;

@@ -10,7 +10,7 @@ use super::rigs::Rigs;
 use super::saved::Screen;
 use super::theme::{self, Layout};
 use super::widgets::bottom_bar::BottomBar;
-use super::{about, import, known, learn, navigation, shortcuts};
+use super::{about, import, known, learn, navigation, sensor_mode, shortcuts};
 use egui::accesskit::Role;
 use egui::{Align, CentralPanel, Frame, Margin, Panel, Stroke, Ui, UiBuilder};
 
@@ -49,6 +49,7 @@ impl App {
             Some(Dialog::About) => about::ui(ui, cx),
             Some(Dialog::KnownCameras(destination)) => known::cameras_ui(ui, cx, destination),
             Some(Dialog::CameraFacts(destination)) => self.camera_facts.ui(ui, cx, destination),
+            Some(Dialog::SensorMode) => sensor_mode::ui(ui, cx),
             None => {}
         }
         match &self.chart_picture {

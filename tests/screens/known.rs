@@ -127,3 +127,25 @@ fn a_rig_says_what_its_focal_length_sees_and_takes_what_a_data_sheet_states() {
     assert_eq!(program.value(FX), "623.538290725");
     assert_eq!(program.value("Source"), "Vertical field of view 60 °");
 }
+
+#[test]
+fn another_mode_of_the_sensor_stands_beside_the_first() {
+    let mut program = Program::new();
+    program.show("Rigs");
+    program.press("New rig");
+    program.press("Another mode…");
+    assert!(program.says("Fill in the width and the height of the image and fx of the rig first."));
+    program.press("Cancel");
+    for (field, text) in [("Width of the image", "1280"), ("Height of the image", "800"), (FX, "631.343")] {
+        program.type_into(field, text);
+    }
+    program.press("Another mode…");
+    program.type_into("Width after resizing, before any crop", "768");
+    program.type_into("Width of the part that is kept", "800");
+    assert!(program.says("The part that is kept reaches out of the image"), "{}", program.text());
+    program.type_into("Width of the part that is kept", "640");
+    assert!(program.says("fx: 631.343 → 378.806 px"), "{}", program.text());
+    program.press("Add as another rig");
+    assert_eq!(program.value(FX), "378.8058");
+    assert!(program.says("Rig without a name, 640 × 480"), "{}", program.text());
+}

@@ -568,6 +568,31 @@ table! {
         ..PIXELS
     };
 
+    /// Width of the part of an image that is kept.
+    CROP_WIDTH = FieldSpec {
+        key: "crop-width", name: "Width of the part that is kept", noun: "the width of the part that is kept", examples: &["640"],
+        label: "Width that is kept", hint: "Empty for all of it",
+        ..PIXELS
+    };
+    /// Its height.
+    CROP_HEIGHT = FieldSpec {
+        key: "crop-height", name: "Height of the part that is kept", noun: "the height of the part that is kept", examples: &["480"],
+        label: "Height that is kept", hint: "Empty for all of it",
+        ..PIXELS
+    };
+    /// The column at which it begins.
+    CROP_LEFT = FieldSpec {
+        key: "crop-left", name: "Columns cut at the left", noun: "the number of columns cut at the left", examples: &["64"], signed: true,
+        label: "Cut at the left", hint: "Empty where it is the middle that is kept",
+        ..PIXELS
+    };
+    /// The row at which it begins.
+    CROP_TOP = FieldSpec {
+        key: "crop-top", name: "Rows cut at the top", noun: "the number of rows cut at the top", examples: &["0"], signed: true,
+        label: "Cut at the top", hint: "Empty where it is the middle that is kept",
+        ..PIXELS
+    };
+
     /// Column of a point in the left image.
     LEFT_COLUMN = FieldSpec {
         key: "left-x", name: "x in the left image", noun: "x in the left image", examples: &["660"], signed: true,

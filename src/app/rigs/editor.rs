@@ -59,10 +59,8 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, assessment: Option<&Assessment>)
         if main_button::ui(ui, use_it.text(), !rig.is_blank()) {
             commands.push(use_it);
         }
-        for command in [
-            Command::ShowDialog(Some(Dialog::CameraFacts(Destination::Rig))),
-            Command::RemoveRig(at),
-        ] {
+        let dialogs = [Dialog::CameraFacts(Destination::Rig), Dialog::SensorMode].map(|dialog| Command::ShowDialog(Some(dialog)));
+        for command in dialogs.into_iter().chain([Command::RemoveRig(at)]) {
             if ui.add(Button::new(command.text()).min_size(vec2(0.0, height))).clicked() {
                 commands.push(command);
             }

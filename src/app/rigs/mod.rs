@@ -5,9 +5,11 @@ mod editor;
 mod list;
 mod overview;
 mod rig;
+mod sensor_mode;
 
 pub use list::{FILE_NAME, RigList, RigsInFile, from_file};
 pub use rig::{MOST, Rig, number};
+pub use sensor_mode::{KEYS as MODE_KEYS, OtherMode, other_mode};
 
 use super::context::AppContext;
 use super::navigation;
