@@ -73,6 +73,20 @@ const SCREENS = {
     );
     await page.says(/Which is it/);
   },
+  'a known size that was searched': async (page) => {
+    await page.press('Known sizes…');
+    await page.fill('Search the known sizes', 'card');
+    await page.says(/2 of 21/);
+  },
+  'the facts of a camera, of which two exclude one another': async (page) => {
+    await page.press('From lens, FOV or Q…');
+    await page.press('Camera facts…');
+    await page.fill('Width of the image', '1920');
+    await page.fill('Height of the image', '1080');
+    await page.fill('Horizontal field of view', '60');
+    await page.fill('Diagonal field of view', '78');
+    await page.says(/These exclude one another/);
+  },
   'the explanations': async (page) => {
     await page.show('Learn');
     await page.says(/What this computes/);

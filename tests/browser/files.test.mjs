@@ -34,6 +34,16 @@ P2: !!opencv-matrix
    data: [ 700., 0., 320., -84000., 0., 700., 240., 0., 0., 0., 1., 0. ]
 `;
 
+/** The segment APP1 of a photograph (JPEG) with 26 mm in FocalLengthIn35mmFilm: TIFF, its directory, and that of EXIF with one tag. */
+const EXIF = [
+  ...[0xff, 0xe1, 0, 52, ...Buffer.from('Exif\0\0')],
+  ...[...Buffer.from('II*\0'), 8, 0, 0, 0],
+  ...[1, 0, 0x69, 0x87, 4, 0, 1, 0, 0, 0, 26, 0, 0, 0, 0, 0, 0, 0],
+  ...[1, 0, 0x05, 0xa4, 3, 0, 1, 0, 0, 0, 26, 0, 0, 0, 0, 0, 0, 0],
+];
+/** Its size: 3024 rows of 4032 columns, one channel. */
+const SIZE = [0xff, 0xc0, 0, 11, 8, 0x0b, 0xd0, 0x0f, 0xc0, 1, 1, 0x11, 0];
+
 let bench;
 before(async () => {
   bench = await startBench();
@@ -89,6 +99,22 @@ it('a file that is dropped is shown, then used, and the distance follows', async
   await page.says(/whatever/);
   await page.reload();
   await page.says(/whatever/);
+});
+
+it('a photograph is opened by its head, however large it is', async (test) => {
+  const page = await started(test);
+  await page.run(
+    `const transfer = new DataTransfer();
+     const [head, rest] = arguments;
+     transfer.items.add(new File([new Uint8Array(head), new Uint8Array(rest)], 'mug.jpg'));
+     document.body.dispatchEvent(new DragEvent('drop', { bubbles: true, cancelable: true, dataTransfer: transfer }));`,
+    [0xff, 0xd8, ...EXIF, ...SIZE],
+    17 << 20,
+  );
+  await page.says(/mug\.jpg: a photograph with EXIF/);
+  await page.says(/nothing → 3028\.66307139 ± \d/);
+  await page.press('Use in calculator');
+  await until('the focal length', async () => (await page.value(FX)) === '3028.66307139');
 });
 
 it('the unit that a file does not say is asked for', { engines: TWO_ENGINES }, async (test) => {

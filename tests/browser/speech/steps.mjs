@@ -112,5 +112,10 @@ export function steps(page, press) {
     ['Tab', type(TAB)],
     ['To use it', () => focus(page.element('Use in calculator', 'button'))],
     ['Enter: it is used', type(ENTER)],
+    ['To the known sizes', () => focus(page.element('Known sizes…', 'button'))],
+    ['Enter: they open', type(ENTER)],
+    ['Types card short', type(...'card short')],
+    ['Tab: what was found', type(TAB)],
+    ['Enter: its size is filled in', type(ENTER)],
   ];
 }
