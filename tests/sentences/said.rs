@@ -1,8 +1,8 @@
 //! What is said about the cases of a file.
 
 use crate::case::{Case, cases};
-use depth_calculator::core::problem::{Field, Method};
-use depth_calculator::core::quantity::{Length, LengthUnit};
+use depth_calculator::core::problem::{Field, Method, Problem};
+use depth_calculator::core::quantity::LengthUnit;
 use depth_text::field::Key;
 use depth_text::form::Inputs;
 use depth_text::note::{Issue, Note, Part, Severity};
@@ -62,7 +62,7 @@ impl Said {
                 let key = way.strip_prefix("way ").unwrap_or_else(|| panic!("what is [{way}]?"));
                 let mut tables = [FOCAL_LENGTHS, BASELINES, DISPARITIES].into_iter();
                 let way = tables.find_map(|ways| Way::named(ways, key)).unwrap();
-                for note in &way.solve(&case.entries(), Length::from_m(0.0)).notes {
+                for note in &way.solve(&case.entries(), &Problem::default()).notes {
                     self.note(note);
                 }
             }

@@ -1,7 +1,7 @@
 //! The ways to a focal length, a disparity and doffs.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, missing_docs, reason = "tests")]
 
-use depth_core::quantity::Length;
+use depth_core::problem::Problem;
 use depth_text::entry::Entries;
 use depth_text::fields;
 use depth_text::form::Inputs;
@@ -15,7 +15,7 @@ fn compute(ways: &'static [Way], name: &str, texts: &[&str]) -> Result<Option<f6
     for (&key, &text) in way.asks.iter().zip(texts) {
         entries.entry_mut(key).text = text.into();
     }
-    let result = way.solve(&entries, Length::from_m(0.0));
+    let result = way.solve(&entries, &Problem::default());
     result.notes.into_iter().next().map_or(Ok(result.value), Err)
 }
 
@@ -129,7 +129,7 @@ fn a_view_that_may_be_in_radians_is_asked_about() {
     *entries.entry_mut(fields::HORIZONTAL_VIEW) = entry;
     entries.entry_mut(fields::FRAME_WIDTH).text = "320".into();
     let way = Way::named(FOCAL_LENGTHS, "horizontal-view").unwrap();
-    assert!(way.solve(&entries, Length::from_m(0.0)).value.is_some());
+    assert!(way.solve(&entries, &Problem::default()).value.is_some());
 }
 
 /// 0.97428 at 800 px: 779.4 px and a view of 54.3°, or 389.7 px and 91.5°.

@@ -1,21 +1,17 @@
-//! The ways to a number that is not known as such: a focal length from a lens, a field of view or a photograph; a disparity
-//! or doffs from what a program stored.
-//!
-//! A [`Way`] is a row of a table: which fields it asks for, what it computes from their readings, and which field takes the
-//! result. Typed units count: a pixel pitch may be in µm or mm.
+//! A way to a number: which fields it asks for, what it computes from their readings, and which field takes the result. Typed
+//! units count: a pixel pitch may be in µm or mm.
 
+use super::stored::{NotStored, Stored, Values, focal_length, needed, pair, wrong};
 use crate::entry::{Entries, Entry};
 use crate::field::Key;
-use crate::fields::{self, BASELINE, DISPARITY, DOFFS, FOCAL_LENGTH, FRAME_HEIGHT, FRAME_WIDTH, LENS, STORED_VALUE};
+use crate::fields::{self, BASELINE, BLUE, DISPARITY, DOFFS, FOCAL_LENGTH, FRAME_WIDTH, GREEN, LENS, RED};
 use crate::note::{Fix, Issue, Note};
 use crate::number::{plain, significant};
 use crate::reading::{self, Reading};
 use depth_core::angle::Angle;
 use depth_core::camera;
-use depth_core::disparity::{self, Encoding, SubpixelBits};
-use depth_core::measured::Measured;
+use depth_core::problem::Problem;
 use depth_core::quantity::{Length, LengthUnit, Pixels};
-use depth_core::stereo;
 use std::f64::consts::PI;
 
 /// One way to a number.
@@ -31,18 +27,22 @@ pub struct Way {
     pub asks: &'static [Key],
     /// The field that takes the result.
     pub target: Key,
-    compute: Compute,
+    pub(super) compute: Compute,
 }
 
-/// A number that was typed into a way and goes into the form with its result.
+/// What else goes into the form with the result of a way.
 type Also = (Key, Entry);
 
 /// The result in the base unit of the target from the values of as many fields, in the order of [`Way::asks`] and in their base units.
 #[derive(Clone, Copy, Debug)]
-enum Compute {
+pub(super) enum Compute {
     One(fn(f64) -> Result<f64, Issue>),
     Two(fn(f64, f64) -> Result<f64, Issue>),
     Three(fn(f64, f64, f64) -> Result<f64, Issue>),
+    /// What is stored, where it takes no more to know it.
+    Stored(Stored),
+    /// What is stored, by the numbers in other fields.
+    StoredBy(fn(Values<'_>) -> Result<Stored, NotStored>),
 }
 
 /// What came of a way.
@@ -52,6 +52,12 @@ pub struct WayResult {
     pub value: Option<f64>,
     /// The horizontal field of view that a focal length means, where the width of the image is asked for.
     pub view: Option<Angle>,
+    /// The distance that a disparity means to the cameras of the form, or to the only ones that store so.
+    pub distance: Option<Length>,
+    /// The depth that is stored.
+    pub depth: Option<Length>,
+    /// What the form lacks for the result.
+    pub missing: Vec<Key>,
     /// What could be read of the fields it asks for.
     pub readings: Vec<Reading>,
     /// What is wrong with a field, or, at the first of them, with all of them together.
@@ -59,44 +65,149 @@ pub struct WayResult {
 }
 
 impl Way {
-    /// Reads the fields it asks for, and computes where all are there. A taped distance counts from `zero` in front of the lens.
-    pub fn solve(&self, entries: &Entries, zero: Length) -> WayResult {
+    /// Reads the fields it asks for, and computes where all are there. `form` is what the form knows of the cameras, and where its
+    /// distances count from.
+    pub fn solve(&self, entries: &Entries, form: &Problem) -> WayResult {
         let mut result = WayResult::default();
+        let mut not_finite = None;
         for &key in self.asks {
             match reading::read(key, entries.entry(key)) {
                 Ok(Some(reading)) if may_be_radians(&reading) => result.notes.push(degrees_or_radians(&reading)),
                 Ok(reading) => result.readings.extend(reading),
-                Err(note) => result.notes.push(note),
+                Err(note) => {
+                    not_finite = self.not_finite(key, &entries.entry(key).text);
+                    if not_finite.is_none() {
+                        result.notes.push(note);
+                    }
+                }
             }
         }
+        if !self.is_of_stored() {
+            self.compute(&mut result, form);
+        } else if result.notes.is_empty() {
+            match self.decode(&mut result, form, not_finite) {
+                Ok(()) => {}
+                Err(NotStored::Wrong(note)) => result.notes.push(note),
+                Err(NotStored::Missing(key)) => result.missing.extend((!self.asks.contains(&key)).then_some(key)),
+            }
+        }
+        if self.target == DISPARITY && !self.is_of_stored() {
+            let disparity = result.value.map(|px| px + form.offset().value.px());
+            result.distance = disparity.and_then(|px| form.depth_at(Pixels::new(px)));
+        }
+        result
+    }
+
+    /// The result from the readings of all fields.
+    fn compute(&self, result: &mut WayResult, form: &Problem) {
+        let zero = form.zero.map_or(0.0, Length::m);
         let from_lens = |reading: &Reading| {
             let is_taped = reading.key == fields::REFERENCE_DISTANCE;
-            if is_taped { reading.value + zero.m() } else { reading.value }
+            if is_taped { reading.value + zero } else { reading.value }
         };
         let values: Vec<f64> = result.readings.iter().map(from_lens).collect();
         let computed = match (self.compute, values.as_slice()) {
             (Compute::One(of), &[a]) => of(a),
             (Compute::Two(of), &[a, b]) => of(a, b),
             (Compute::Three(of), &[a, b, c]) => of(a, b, c),
-            _ => return result,
+            _ => return,
         };
         match computed {
             Ok(value) => {
                 result.value = Some(value).filter(|value| value.is_finite());
-                result.view = self.view(&result);
+                result.view = self.view(result);
             }
             Err(issue) => {
                 let key = match issue {
-                    Issue::MinDisparityNotWhole => fields::MIN_DISPARITY,
-                    Issue::WrongSubpixelBits => fields::SUBPIXEL_BITS,
                     Issue::NoBaseline if result.readings.first().is_some_and(|stations| stations.value > 0.0) => fields::BASELINE_ANGLE,
                     Issue::NoBaseline => fields::STATIONS,
-                    _ => self.asks.first().copied().unwrap_or(self.target),
+                    _ => self.first(),
                 };
                 result.notes.push(Note::error(key, issue));
             }
         }
-        result
+    }
+
+    /// The result from what is stored; `not_finite` is what was typed for the stored number where it is none.
+    fn decode(&self, result: &mut WayResult, form: &Problem, not_finite: Option<f64>) -> Result<(), NotStored> {
+        let of = |key: Key| {
+            let reading = result.readings.iter().find(|reading| reading.key == key);
+            let of_form = || focal_length(form).filter(|_| key == FOCAL_LENGTH).map(Pixels::px);
+            let typed = reading.map(|reading| reading.value).or_else(of_form);
+            typed.or_else(|| not_finite.filter(|_| key == self.first()))
+        };
+        let number = self.number(&of)?;
+        let stored = self.stored(&of)?;
+        let own = self.own_camera().map(|(focal_length, baseline)| Problem {
+            zero: form.zero,
+            ..pair(focal_length, baseline)
+        });
+        let decoded = stored
+            .decode(number, own.as_ref().unwrap_or(form))
+            .or_else(|reason| wrong(self.first(), stored.refusal(reason)))?;
+        result.value = decoded.disparity.map(Pixels::px);
+        if matches!(stored, Stored::Disparity(_)) {
+            result.distance = decoded.distance;
+        } else {
+            result.depth = decoded.distance;
+            let lacks = [(FOCAL_LENGTH, focal_length(form).is_none()), (BASELINE, form.baseline.is_none())];
+            result
+                .missing
+                .extend(lacks.into_iter().filter_map(|(key, lacks)| lacks.then_some(key)));
+        }
+        let warning = stored.eight_bits(number).map(|issue| Note::warning(self.first(), issue));
+        result.notes.extend(warning);
+        Ok(())
+    }
+
+    /// How its number is stored.
+    ///
+    /// # Errors
+    /// What is missing for it, or wrong. Of a way that decodes nothing, its first field.
+    pub fn stored(&self, of: Values<'_>) -> Result<Stored, NotStored> {
+        match self.compute {
+            Compute::Stored(stored) => Ok(stored),
+            Compute::StoredBy(stored) => stored(of),
+            _ => Err(NotStored::Missing(self.first())),
+        }
+    }
+
+    /// The number that is stored: of three channels, R + 256·G + 65 536·B.
+    ///
+    /// # Errors
+    /// The field in which it is missing, or the channel that is none.
+    pub fn number(&self, of: Values<'_>) -> Result<f64, NotStored> {
+        if self.first() != RED {
+            return needed(of, self.first());
+        }
+        let channel = |key: Key| match needed(of, key)? {
+            value if (0.0..=255.0).contains(&value) && value.fract() == 0.0 => Ok(value),
+            _ => wrong(key, Issue::NotAChannel),
+        };
+        Ok(channel(RED)? + 256.0 * channel(GREEN)? + 65_536.0 * channel(BLUE)?)
+    }
+
+    /// Focal length and baseline of the only cameras that store so.
+    pub fn own_camera(&self) -> Option<(Pixels, Length)> {
+        match self.compute {
+            Compute::Stored(stored) => stored.own_camera(),
+            _ => None,
+        }
+    }
+
+    const fn is_of_stored(&self) -> bool {
+        matches!(self.compute, Compute::Stored(_) | Compute::StoredBy(_))
+    }
+
+    /// Infinity, or what is no number at all, where it was typed as such into the field `key` for the stored number.
+    fn not_finite(&self, key: Key, text: &str) -> Option<f64> {
+        let is_word = self.is_of_stored() && key == self.first() && !text.bytes().any(|byte| byte.is_ascii_digit());
+        let number = text.trim().parse().ok().filter(|_| is_word);
+        number.filter(|number: &f64| !number.is_finite())
+    }
+
+    fn first(&self) -> Key {
+        self.asks.first().copied().unwrap_or(self.target)
     }
 
     /// The horizontal field of view of the result, where it is a focal length of an image of known width.
@@ -119,10 +230,21 @@ impl Way {
         format!("{} = {} {unit}", self.target.symbol, significant(value, 6))
     }
 
-    /// What goes into the form beside the result: the lens, where a focal length was computed from one.
-    pub fn also(&self, entries: &Entries) -> Option<Also> {
-        let has_lens = self.target == FOCAL_LENGTH && self.asks.contains(&LENS);
-        has_lens.then(|| (fields::FX_LENS, entries.entry(LENS).clone()))
+    /// What goes into the form beside the result: the lens, where a focal length was computed from one, and the camera, where there is
+    /// only one that stores so.
+    pub fn also(&self, entries: &Entries) -> Vec<Also> {
+        if self.target == FOCAL_LENGTH && self.asks.contains(&LENS) {
+            return vec![(fields::FX_LENS, entries.entry(LENS).clone())];
+        }
+        let Some((focal_length, baseline)) = self.own_camera() else {
+            return Vec::new();
+        };
+        let unit = LengthUnit::Millimeter;
+        vec![
+            (FOCAL_LENGTH, Entry::new(plain(focal_length.px()), None)),
+            (BASELINE, Entry::new(plain(baseline.in_unit(unit)), Some(unit))),
+            (DOFFS, Entry::default()),
+        ]
     }
 
     /// The way among `ways` that is stored as `key`.
@@ -130,204 +252,6 @@ impl Way {
         ways.iter().find(|way| way.key == key)
     }
 }
-
-/// The ways to a focal length.
-pub const FOCAL_LENGTHS: &[Way] = &[
-    Way {
-        key: "pixel-pitch",
-        name: "Lens and pixel size",
-        remark: "fx = focal length / pixel pitch. Use the pitch of the image as you have it: twice as large after 2 × 2 binning. Where the lens is focused on the object, its focal length is added to the distance.",
-        asks: &[LENS, fields::PIXEL_PITCH],
-        target: FOCAL_LENGTH,
-        compute: Compute::Two(|lens, pitch| found(camera::focal_length_from_pixel_pitch(Length::from_m(lens), Length::from_m(pitch)))),
-    },
-    Way {
-        key: "sensor-width",
-        name: "Lens and sensor width",
-        remark: "fx = focal length · image width / sensor width. An inch figure is a name, not a size: choose the format below.",
-        asks: &[LENS, fields::SENSOR_WIDTH, FRAME_WIDTH],
-        target: FOCAL_LENGTH,
-        compute: Compute::Three(|lens, sensor, width| {
-            let (lens, sensor) = (Length::from_m(lens), Length::from_m(sensor));
-            found(camera::focal_length_from_sensor_width(lens, sensor, Pixels::new(width)))
-        }),
-    },
-    Way {
-        key: "horizontal-view",
-        name: "Horizontal field of view",
-        remark: "fx = (width / 2) / tan(view / 2). A datasheet often gives the view before rectification, which is wider.",
-        asks: &[fields::HORIZONTAL_VIEW, FRAME_WIDTH],
-        target: FOCAL_LENGTH,
-        compute: Compute::Two(|view, width| from_view(view, Pixels::new(width))),
-    },
-    Way {
-        key: "vertical-view",
-        name: "Vertical field of view",
-        remark: "fy = (height / 2) / tan(view / 2); with square pixels fx is the same.",
-        asks: &[fields::VERTICAL_VIEW, FRAME_HEIGHT],
-        target: FOCAL_LENGTH,
-        compute: Compute::Two(|view, height| from_view(view, Pixels::new(height))),
-    },
-    Way {
-        key: "diagonal-view",
-        name: "Diagonal field of view",
-        remark: "fx = ½ · √(width² + height²) / tan(view / 2).",
-        asks: &[fields::DIAGONAL_VIEW, FRAME_WIDTH, FRAME_HEIGHT],
-        target: FOCAL_LENGTH,
-        compute: Compute::Three(|view, width, height| from_view(view, camera::diagonal(Pixels::new(width), Pixels::new(height)))),
-    },
-    Way {
-        key: "multiple-of-width",
-        name: "Multiple of the image width",
-        remark: "fx = multiple · width. Some file formats and programs have the focal length in widths of the image.",
-        asks: &[fields::MULTIPLE, FRAME_WIDTH],
-        target: FOCAL_LENGTH,
-        compute: Compute::Two(|multiple, width| found(camera::focal_length_from_multiple(multiple, Pixels::new(width)))),
-    },
-    Way {
-        key: "multiple-of-half-width",
-        name: "Multiple of half the image width",
-        remark: "fx = multiple · width / 2: OpenGL’s and Unity’s projection matrix has it in row 1, column 1 (P00).",
-        asks: &[fields::MULTIPLE, FRAME_WIDTH],
-        target: FOCAL_LENGTH,
-        compute: Compute::Two(|multiple, width| found(camera::focal_length_from_multiple(multiple, Pixels::new(width / 2.0)))),
-    },
-    Way {
-        key: "reference-photo",
-        name: "One reference photo",
-        remark: "fx = width in the image · distance / real width, for something of known width at a measured distance, facing the camera.",
-        asks: &[
-            fields::REFERENCE_IMAGE_WIDTH,
-            fields::REFERENCE_DISTANCE,
-            fields::REFERENCE_REAL_WIDTH,
-        ],
-        target: FOCAL_LENGTH,
-        compute: Compute::Three(|width, distance, real| {
-            let (distance, real) = (Length::from_m(distance), Length::from_m(real));
-            found(camera::focal_length_from_reference_photo(Pixels::new(width), distance, real))
-        }),
-    },
-    Way {
-        key: "other-resolution",
-        name: "Same camera, other resolution",
-        remark: "Resizing scales fx and the disparity, never the baseline. Cropping changes neither: enter the width before the crop.",
-        asks: &[fields::KNOWN_FOCAL_LENGTH, fields::WIDTH_BEFORE, fields::WIDTH_AFTER],
-        target: FOCAL_LENGTH,
-        compute: Compute::Three(|focal_length, before, after| {
-            let px = Pixels::new;
-            found(camera::resized_focal_length(px(focal_length), px(before), px(after)))
-        }),
-    },
-];
-
-/// The ways to a baseline.
-pub const BASELINES: &[Way] = &[Way {
-    key: "angle",
-    name: "Not square to the line of sight",
-    remark: "b = distance · sin(angle), the angle between the line from one camera to the other and the line of sight. 90° changes nothing.",
-    asks: &[fields::STATIONS, fields::BASELINE_ANGLE],
-    target: BASELINE,
-    compute: Compute::Two(|stations, angle| {
-        let effective = stereo::effective_baseline(Length::from_m(stations), Angle::from_radians(angle));
-        effective.map(Length::m).filter(|b| *b > 0.0).ok_or(Issue::NoBaseline)
-    }),
-}];
-
-/// The ways to a disparity and to doffs.
-pub const DISPARITIES: &[Way] = &[
-    Way {
-        key: "columns",
-        name: "Columns in both images",
-        remark: "d = x left − x right, in the rectified images.",
-        asks: &[fields::LEFT_COLUMN, fields::RIGHT_COLUMN],
-        target: DISPARITY,
-        compute: Compute::Two(|left, right| {
-            Ok(
-                disparity::from_columns(Measured::from_base(left, 0.0), Measured::from_base(right, 0.0))
-                    .value
-                    .px(),
-            )
-        }),
-    },
-    Way {
-        key: "opencv",
-        name: "OpenCV StereoBM or StereoSGBM",
-        remark: "They store sixteenths of a pixel in 16-bit numbers; (minDisparity − 1) · 16 means that nothing was found.",
-        asks: &[STORED_VALUE, fields::MIN_DISPARITY],
-        target: DISPARITY,
-        compute: Compute::Two(|stored, min_disparity| {
-            if min_disparity.fract() != 0.0 || min_disparity.abs() > 30_000.0 {
-                return Err(Issue::MinDisparityNotWhole);
-            }
-            #[expect(clippy::cast_possible_truncation, reason = "checked to be whole and small")]
-            let min_disparity = min_disparity as i32;
-            decoded(Encoding::OpenCv { min_disparity }, stored)
-        }),
-    },
-    Way {
-        key: "kitti",
-        name: "KITTI, 16-bit image",
-        remark: "It stores 256ths of a pixel; 0 means that there is none.",
-        asks: &[STORED_VALUE],
-        target: DISPARITY,
-        compute: Compute::One(|stored| decoded(Encoding::Kitti, stored)),
-    },
-    Way {
-        key: "depthai",
-        name: "DepthAI, sub-pixel",
-        remark: "With 3, 4 or 5 sub-pixel bits it stores 8ths, 16ths or 32nds of a pixel.",
-        asks: &[STORED_VALUE, fields::SUBPIXEL_BITS],
-        target: DISPARITY,
-        compute: Compute::Two(|stored, bits| {
-            let bits = match bits {
-                3.0 => SubpixelBits::Three,
-                4.0 => SubpixelBits::Four,
-                5.0 => SubpixelBits::Five,
-                _ => return Err(Issue::WrongSubpixelBits),
-            };
-            decoded(Encoding::DepthAi(bits), stored)
-        }),
-    },
-    Way {
-        key: "fraction",
-        name: "Fraction of the image width",
-        remark: "Some networks give the disparity as a part of the width of the image.",
-        asks: &[fields::FRACTION, FRAME_WIDTH],
-        target: DISPARITY,
-        compute: Compute::Two(|fraction, width| {
-            let image_width = Pixels::new(width);
-            decoded(Encoding::FractionOfWidth { image_width }, fraction)
-        }),
-    },
-    Way {
-        key: "zed",
-        name: "ZED, negative sign",
-        remark: "The ZED SDK gives disparities with the opposite sign.",
-        asks: &[fields::ZED_DISPARITY],
-        target: DISPARITY,
-        compute: Compute::One(|stored| decoded(Encoding::Zed, stored)),
-    },
-    Way {
-        key: "principal-points",
-        name: "doffs from both principal points",
-        remark: "doffs = cx right − cx left. Stereo then reads D = fx · b / (d + doffs). Zero for most rectified pairs.",
-        asks: &[fields::LEFT_CX, fields::RIGHT_CX],
-        target: DOFFS,
-        compute: Compute::Two(|left, right| {
-            Ok(disparity::doffs(Measured::from_base(left, 0.0), Measured::from_base(right, 0.0))
-                .value
-                .px())
-        }),
-    },
-    Way {
-        key: "doffs",
-        name: "doffs as a calibration file gives it",
-        remark: "Middlebury's calib.txt has it by this name.",
-        asks: &[fields::FILE_DOFFS],
-        target: DOFFS,
-        compute: Compute::One(Ok),
-    },
-];
 
 /// Whether a field of view is so small that its number is an angle in radians: below π, a telescope's in degrees.
 fn may_be_radians(reading: &Reading) -> bool {
@@ -343,17 +267,4 @@ fn degrees_or_radians(reading: &Reading) -> Note {
         Fix::new(value.clone(), Entry::new(value, None))
     });
     Note::error(reading.key, Issue::DegreesOrRadians { number }).with_fixes(fixes.into())
-}
-
-fn from_view(view: f64, extent: Pixels) -> Result<f64, Issue> {
-    found(camera::focal_length_from_field_of_view(Angle::from_radians(view), extent))
-}
-
-fn found(focal_length: Option<Pixels>) -> Result<f64, Issue> {
-    focal_length.map(Pixels::px).ok_or(Issue::NoFocalLength)
-}
-
-fn decoded(encoding: Encoding, stored: f64) -> Result<f64, Issue> {
-    let disparity = encoding.decode(stored).map(Pixels::px);
-    disparity.map_err(|reason| Issue::NotADisparity { reason })
 }

@@ -12,13 +12,15 @@ use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::menu::List;
 use crate::app::widgets::{main_button, scroll, text};
 use crate::core::q_matrix::StereoGeometry;
-use crate::core::quantity::{Length, LengthUnit};
-use depth_text::choices::{MATCHING_ERRORS, SENSOR_FORMATS, SensorFormat};
+use crate::core::quantity::LengthUnit;
+use depth_text::assess::Assessment;
+use depth_text::choices::{DEPTH_SCALES, MATCHING_ERRORS, SENSOR_FORMATS, SensorFormat};
 use depth_text::entry::Entry;
 use depth_text::fields;
 use depth_text::note::{Issue, Note};
 use depth_text::number::plain;
 use depth_text::reading::{self, Reading};
+use depth_text::report;
 use depth_text::ways::{BASELINES, DISPARITIES, FOCAL_LENGTHS, Way, WayResult};
 use egui::Ui;
 
@@ -132,13 +134,16 @@ pub struct Solved {
 }
 
 impl Solved {
-    /// Computes the result of the way that is chosen in `helper`; distances count from `zero`.
-    pub fn new(helper: Helper, settings: &Settings, zero: Length) -> Self {
+    /// Computes the result of the way that is chosen in `helper`, with what the form knows of the cameras.
+    pub fn new(helper: Helper, settings: &Settings, assessment: &Assessment) -> Self {
         let way = Way::named(ways(helper), chosen(helper, &settings.ways).0);
+        // Without what is solved for: it followed from what is to be replaced.
+        let unknown = assessment.unknown.as_ref();
+        let form = unknown.map_or(&assessment.solution.problem, |unknown| &unknown.given);
         let matrix = settings.entries.entry(fields::Q_MATRIX);
         Self {
             way: way.map_or("", |way| way.key),
-            result: way.map(|way| way.solve(&settings.entries, zero)).unwrap_or_default(),
+            result: way.map(|way| way.solve(&settings.entries, form)).unwrap_or_default(),
             square: reading::read(fields::SQUARE_SIZE, settings.entries.entry(fields::SQUARE_SIZE)).transpose(),
             q_matrix: (way.is_none() && !matrix.is_blank()).then(|| depth_text::q_matrix::read(&matrix.text)),
         }
@@ -149,6 +154,9 @@ impl Solved {
         static NOTHING: WayResult = WayResult {
             value: None,
             view: None,
+            distance: None,
+            depth: None,
+            missing: Vec::new(),
             readings: Vec::new(),
             notes: Vec::new(),
         };
@@ -193,12 +201,37 @@ fn way_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
         ui.add_space(theme::STEP);
         if key == fields::SENSOR_WIDTH {
             sensor_formats_ui(ui, cx.settings.entries.entry_mut(key));
+        } else if key == fields::STEPS_PER_METER {
+            depth_scales_ui(ui, cx.settings.entries.entry_mut(key));
         }
     }
     if let Some(view) = result.view {
         text::caption_ui(ui, Hint::View { view }.to_string());
     }
+    if let Some(hint) = decoded(way, result, cx.unit()) {
+        text::caption_ui(ui, hint.to_string());
+    }
     text::caption_ui(ui, way.remark);
+}
+
+/// What a disparity is to the cameras of the form, or a depth in other words.
+fn decoded(way: &Way, result: &WayResult, unit: LengthUnit) -> Option<Hint> {
+    let disparity = result.value.map(|value| way.result_text(value));
+    match (result.depth, disparity, result.distance) {
+        (Some(depth), disparity, _) => Some(Hint::StoredDepth {
+            depth: report::length(Some(depth), unit),
+            disparity,
+            missing: result.missing.clone(),
+        }),
+        (None, Some(disparity), Some(distance)) => Some(Hint::SeenAt {
+            disparity,
+            distance: report::length(Some(distance), unit),
+            has_own_camera: way.own_camera().is_some(),
+        }),
+        _ => (!result.missing.is_empty()).then(|| Hint::NoDepthWithout {
+            missing: result.missing.clone(),
+        }),
+    }
 }
 
 /// The button that takes what `way` has worked out.
@@ -220,18 +253,33 @@ fn use_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
 fn sensor_formats_ui(ui: &mut Ui, entry: &mut Entry) {
     let name = |format: &SensorFormat| format!("{}: {} × {} mm", format.name, plain(format.width_mm), plain(format.height_mm));
     let names: Vec<String> = SENSOR_FORMATS.iter().map(name).collect();
-    let list = List {
-        name: "Common sensor formats",
-        shown: "Common formats…",
-        width: theme::SENSOR_FORMATS_WIDTH,
-        names: &names,
-        chosen: None,
-    };
-    let (_, now) = list.ui(ui, "sensor formats");
+    let now = common_ui(ui, ["Common sensor formats", "Common formats…"], &names);
     if let Some(format) = now.and_then(|at| SENSOR_FORMATS.get(at)) {
         *entry = Entry::new(plain(format.width_mm), Some(LengthUnit::Millimeter));
     }
+}
+
+fn depth_scales_ui(ui: &mut Ui, entry: &mut Entry) {
+    let name = |(steps, of): &(f64, &str)| format!("{}: {of}", plain(*steps));
+    let names: Vec<String> = DEPTH_SCALES.iter().map(name).collect();
+    let now = common_ui(ui, ["Common depth scales", "Common scales…"], &names);
+    if let Some((steps, _)) = now.and_then(|at| DEPTH_SCALES.get(at)) {
+        *entry = Entry::new(plain(*steps), None);
+    }
+}
+
+/// A choice among `names` for the field above. Returns the place of the one that was chosen now.
+fn common_ui(ui: &mut Ui, [name, shown]: [&str; 2], names: &[String]) -> Option<usize> {
+    let list = List {
+        name,
+        shown,
+        width: theme::COMMON_WIDTH,
+        names,
+        chosen: None,
+    };
+    let (_, now) = list.ui(ui, name);
     ui.add_space(2.0 * theme::STEP);
+    now
 }
 
 /// A choice among the matching errors that people state, for the σ of the disparity.
