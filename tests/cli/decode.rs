@@ -1,6 +1,9 @@
 //! `decode`: a number that is stored for a pixel.
 
 use crate::text;
+use depth_calculator::core::problem::{Field, Problem};
+use depth_text::entry::Entries;
+use depth_text::ways::{ENCODING_NAMES, EncodingName};
 use serde_json::{Value, json};
 
 fn answer(arguments: &str) -> Value {
@@ -166,4 +169,55 @@ fn an_option_that_says_nothing_of_what_is_decoded_is_refused() {
     // A camera can always be known.
     assert_eq!(answer("1400 --as depth-mm --fx 700 --baseline 100")["distance_m"], 1.4);
     assert_eq!(answer("0.6 --as da3-metric --fx 700")["disparity_px"], Value::Null);
+}
+
+/// Of each name a number, what else is given, and the same as the window has it: the texts of the fields of the way.
+const BOTH: [(&str, &str, &str, &[&str]); 21] = [
+    ("opencv", "803", "--min-disparity -16", &["803", "-16"]),
+    ("kitti", "12345", "", &["12345"]),
+    ("cityscapes", "12345", "", &["12345"]),
+    ("realsense", "1601", "", &["1601"]),
+    ("depthai3", "401", "", &["401", "3"]),
+    ("depthai4", "401", "", &["401", "4"]),
+    ("depthai5", "401", "", &["401", "5"]),
+    ("ensenso", "801", "", &["801"]),
+    ("kinect1", "801", "", &["801"]),
+    ("pfm", "48.25", "", &["48.25"]),
+    ("zed", "-48.25", "", &["-48.25"]),
+    ("fraction", "0.039", "--width 1242", &["0.039", "1242"]),
+    ("inverse-depth", "0.4", "--near 0.2 --scale 5.4", &["0.4", "0.2", "", "5.4"]),
+    ("depth-mm", "1234", "", &["1234", "1000"]),
+    ("tum", "1234", "", &["1234", "5000"]),
+    ("kitti-depth", "1234", "", &["1234", "256"]),
+    ("vkitti", "1234", "", &["1234", "100"]),
+    ("depth", "1234", "--per-meter 4000", &["1234", "4000"]),
+    ("carla", "100,20,1", "", &["100", "20", "1"]),
+    ("da3-metric", "1.5", "", &["1.5"]),
+    ("metric3d", "2.5", "", &["2.5"]),
+];
+
+#[test]
+fn the_window_decodes_what_the_command_line_does() {
+    assert!(BOTH.iter().map(|(name, ..)| *name).eq(ENCODING_NAMES.iter().map(|name| name.name)));
+    for (name, raw, options, texts) in BOTH {
+        // Of the first Kinect its own camera counts in the window.
+        let (fx, b) = if name == "kinect1" { (580.0, 0.075) } else { (700.0, 0.1) };
+        let value = answer(&format!("{raw} --as {name} {options} --fx {fx} --baseline {b}m"));
+        let way = EncodingName::called(name).unwrap().way().unwrap();
+        let mut entries = Entries::default();
+        for (&key, &text) in way.asks.iter().zip(texts) {
+            entries.entry_mut(key).text = text.into();
+        }
+        let mut form = Problem::default();
+        form.set(Field::FocalLength, Some(fx));
+        form.set(Field::Baseline, Some(b));
+        let result = way.solve(&entries, &form);
+        assert!(result.notes.is_empty() && result.value.is_some(), "{name}: {result:?}");
+        let distance = result.depth.or(result.distance).map(|distance| distance.m());
+        for (field, expected) in [("disparity_px", result.value), ("distance_m", distance)] {
+            let ratio = value[field].as_f64().unwrap() / expected.unwrap();
+            // The reader of JSON rounds once more.
+            assert!((ratio - 1.0).abs() < 1e-15, "{name}: {value} and {result:?}");
+        }
+    }
 }
