@@ -69,6 +69,9 @@ pub(super) struct Decode {
     json: bool,
 }
 
+/// A field of a way, its option and what was given there.
+type FieldOption = (Key, &'static str, Option<f64>);
+
 /// The names of the table, with their help.
 fn names() -> PossibleValuesParser {
     let named = |one: &EncodingName| PossibleValue::new(one.name).help(one.help);
@@ -124,7 +127,7 @@ impl Decode {
     }
 
     /// The options for the fields of the ways, but for the focal length, which is of use to each.
-    fn options(&self) -> Result<[(Key, &'static str, Option<f64>); 9], String> {
+    fn options(&self) -> Result<[FieldOption; 9], String> {
         Ok([
             (fields::STEPS_PER_PIXEL, "divide", self.divide),
             (fields::STORED_OFFSET, "offset", self.offset),
@@ -162,7 +165,7 @@ impl Decode {
     }
 
     /// Why it is not known what is stored, at the option that says it.
-    fn said(&self, reason: NotStored, options: &[(Key, &'static str, Option<f64>)]) -> String {
+    fn said(&self, reason: NotStored, options: &[FieldOption]) -> String {
         let option = |key: Key| options.iter().find(|(of, ..)| *of == key).map_or("fx", |(_, option, _)| option);
         match reason {
             NotStored::Missing(key) => format!("{} needs --{}.", self.called(), option(key)),

@@ -262,25 +262,7 @@ mod tests {
             Hint::Simulating { .. } => Hint::Simulating { total: 100_000, percent: 40 },
             Hint::Simulated { .. } => Hint::Simulated { draws: 100_000 },
         ];
-        hints.push(Hint::SeenAt {
-            disparity: disparity(),
-            distance: "1.234 m".into(),
-            has_own_camera: true,
-        });
-        for missing in [vec![fields::FOCAL_LENGTH, fields::BASELINE], Vec::new()] {
-            hints.push(Hint::StoredDepth {
-                depth: "1.400 m".into(),
-                disparity: None,
-                missing,
-            });
-        }
-        hints.push(Hint::StillNeeds {
-            title: "Monocular".into(),
-            count: 3,
-        });
-        hints.push(Hint::QMatrixCopy {
-            missing: vec![fields::CX, fields::CY],
-        });
+        hints.extend(with_other_facts());
         for key in [fields::BASELINE, fields::DOFFS, fields::CAMERA_PITCH, fields::PIXEL_PITCH] {
             hints.push(Hint::Field {
                 key,
@@ -288,5 +270,30 @@ mod tests {
             });
         }
         assert_shown("hints", &hints);
+    }
+
+    /// Hints that other facts make another sentence of.
+    fn with_other_facts() -> [Hint; 5] {
+        let stored = |missing| Hint::StoredDepth {
+            depth: "1.400 m".into(),
+            disparity: None,
+            missing,
+        };
+        [
+            Hint::SeenAt {
+                disparity: "d = 48.2227 px".into(),
+                distance: "1.234 m".into(),
+                has_own_camera: true,
+            },
+            stored(vec![fields::FOCAL_LENGTH, fields::BASELINE]),
+            stored(Vec::new()),
+            Hint::StillNeeds {
+                title: "Monocular".into(),
+                count: 3,
+            },
+            Hint::QMatrixCopy {
+                missing: vec![fields::CX, fields::CY],
+            },
+        ]
     }
 }
