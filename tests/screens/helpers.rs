@@ -86,7 +86,7 @@ fn a_file_of_16_bits_that_was_read_with_8_is_named_at_the_stored_value() {
     program.press(HELPER);
     program.choose("What is known", "KITTI, 16-bit image");
     program.type_into("Stored value", "200");
-    assert!(program.says("200 is small for 16 bits."), "{}", program.text());
+    assert!(program.says("Were 16 bits read as 8? 200 is small for 16"), "{}", program.text());
     // Some pixels are that far away.
     program.press("Use d = 0.781\u{2009}250 px");
     assert_eq!(program.value(D), "0.78125");

@@ -190,7 +190,7 @@ impl Display for Issue {
             Self::NoDepth => f.write_str("There is no depth at this pixel."),
             Self::EightBits { number } => write!(
                 f,
-                "{number} is small for 16 bits. If no pixel has more than 255, the file was read with 8 bits: read it with IMREAD_UNCHANGED in OpenCV."
+                "Were 16 bits read as 8? {number} is small for 16: if no pixel has more than 255, read the file again, in OpenCV with IMREAD_UNCHANGED."
             ),
             Self::NotAChannel => f.write_str("A channel is a whole number from 0 to 255."),
             Self::FarPlaneNotFarther => f.write_str("The far plane must be the larger of both distances."),
