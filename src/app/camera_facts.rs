@@ -7,7 +7,7 @@ use super::rigs::{Rig, number};
 use super::theme;
 use super::widgets::field::Field;
 use super::widgets::menu::List;
-use super::widgets::{choice, main_button, pairs, scroll, sensor_formats, text};
+use super::widgets::{choice, common, main_button, pairs, scroll, text};
 use crate::core::camera::Projection;
 use crate::core::quantity::LengthUnit;
 use depth_text::camera_sheet::{CameraSheet, SolvedSheet};
@@ -115,7 +115,7 @@ fn sheet_ui(ui: &mut Ui, cx: &mut AppContext<'_>, solved: &SolvedSheet) {
         text::heading_ui(ui, heading, 3, theme::strong(theme::SMALL_SIZE), color);
         pairs::ui(ui, keys, |ui, key| field_ui(ui, sheet, solved, (key, &mut commands)));
         if keys.contains(&fields::SENSOR_WIDTH)
-            && let Some(format) = sensor_formats::ui(ui)
+            && let Some(format) = common::sensor_formats_ui(ui)
         {
             for (key, side) in [(fields::SENSOR_WIDTH, format.width_mm), (fields::SENSOR_HEIGHT, format.height_mm)] {
                 sheet.entries.fill(key, Entry::new(plain(side), Some(LengthUnit::Millimeter)));

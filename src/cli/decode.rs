@@ -1,14 +1,18 @@
 //! `decode`: what a number that a picture or a network stores for a pixel says of the distance.
 
+use super::ascii::in_sentence;
 use super::camera_facts::{Quantity, optional};
 use super::reply::Reply;
 use super::warning::Warning;
-use crate::core::disparity::{Encoding, KINECT_V1_BASELINE, KINECT_V1_FOCAL_LENGTH, Linear, NoDisparity, SubpixelBits};
+use crate::core::disparity::NoDisparity;
+use crate::core::problem::{Field, Problem};
 use crate::core::quantity::{Length, Pixels};
-use crate::core::stereo;
-use crate::core::stored::DepthEncoding;
-use clap::{Args, ValueEnum};
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap::{ArgAction, Args};
+use depth_text::field::Key;
+use depth_text::fields;
 use depth_text::number::{Notation, TYPED_DIGITS};
+use depth_text::ways::{DISPARITIES, Decoded, ENCODING_NAMES, EncodingName, NotStored, Stored, Way};
 use serde::Serialize;
 
 /// What was given to `decode`.
@@ -18,20 +22,21 @@ pub(super) struct Decode {
     #[arg(value_name = "RAW", allow_hyphen_values = true)]
     raw: String,
     /// How it is stored
-    #[arg(long = "as", value_name = "NAME", required_unless_present = "divide", conflicts_with_all = ["divide", "offset", "invalid"])]
-    name: Option<Name>,
+    #[arg(
+        long = "as",
+        value_name = "NAME",
+        value_parser = names(),
+        ignore_case = true,
+        required_unless_present = "divide",
+        conflicts_with_all = ["divide", "offset", "invalid"]
+    )]
+    name: Option<String>,
     /// Of another encoding: the stored steps in a pixel, negative where less is stored for what is nearer
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     divide: Option<f64>,
-    /// And what is stored for a disparity of 0
-    #[arg(
-        long,
-        value_name = "NUMBER",
-        allow_hyphen_values = true,
-        requires = "divide",
-        default_value_t = 0.0
-    )]
-    offset: f64,
+    /// And what is stored for a disparity of 0, if not 0
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, requires = "divide")]
+    offset: Option<f64>,
     /// And what is stored where there is no disparity
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, requires = "divide")]
     invalid: Option<f64>,
@@ -44,70 +49,33 @@ pub(super) struct Decode {
     /// Width of the image in pixels, of a fraction of which the disparity is
     #[arg(long, value_name = "PX")]
     width: Option<String>,
-    /// The matcher's minDisparity, of opencv
-    #[arg(long, value_name = "PX", allow_hyphen_values = true, default_value_t = 0)]
-    min_disparity: i32,
-    /// The near plane, of inverse-depth
-    #[arg(long, value_name = "NUMBER", default_value_t = 0.1)]
-    near: f64,
-    /// The far plane, of inverse-depth
-    #[arg(long, value_name = "NUMBER", default_value_t = 100.0)]
-    far: f64,
-    /// Meters in the unit of inverse-depth, such as 5.4 for monodepth2's stereo models of KITTI
-    #[arg(long, value_name = "NUMBER", default_value_t = 1.0)]
-    scale: f64,
+    /// The matcher's minDisparity, of opencv; without it 0
+    #[arg(long, value_name = "PX", allow_hyphen_values = true)]
+    min_disparity: Option<i32>,
+    /// The stored steps in a meter, of depth
+    #[arg(long, value_name = "NUMBER")]
+    per_meter: Option<f64>,
+    /// The near plane, of inverse-depth; without it 0.1
+    #[arg(long, value_name = "NUMBER")]
+    near: Option<f64>,
+    /// The far plane, of inverse-depth; without it 100
+    #[arg(long, value_name = "NUMBER")]
+    far: Option<f64>,
+    /// Meters in the unit of inverse-depth, such as 5.4 for monodepth2's stereo models of KITTI; without it 1
+    #[arg(long, value_name = "NUMBER")]
+    scale: Option<f64>,
     /// Answer in JSON: lengths in meters, null for what is unknown
-    #[arg(long)]
+    #[arg(long, action = ArgAction::SetTrue)]
     json: bool,
 }
 
-/// The encodings that have a name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Name {
-    /// StereoBM, StereoSGBM: sixteenths of a pixel
-    Opencv,
-    /// KITTI disparity: p/256
-    Kitti,
-    /// Cityscapes: (p - 1)/256
-    Cityscapes,
-    /// RealSense D400 disparity: p/32
-    Realsense,
-    /// DepthAI with 3 sub-pixel bits: p/8
-    Depthai3,
-    /// DepthAI with 4: p/16
-    Depthai4,
-    /// DepthAI with 5: p/32
-    Depthai5,
-    /// Ensenso: p/16
-    Ensenso,
-    /// The first Kinect: (1090 - p)/8, with 580 px and 75 mm
-    Kinect1,
-    /// ZED: the opposite sign
-    Zed,
-    /// A fraction of the image's width
-    Fraction,
-    /// A network's inverse depth between two planes
-    InverseDepth,
-    /// Depth in millimeters: RealSense, `ScanNet`
-    DepthMm,
-    /// Depth of TUM RGB-D: p/5000
-    Tum,
-    /// Depth of KITTI: p/256
-    KittiDepth,
-    /// Depth of Virtual KITTI, in centimeters
-    Vkitti,
-    /// Depth in three channels of CARLA
-    Carla,
-    /// Depth Anything 3, metric: f·p/300
-    Da3Metric,
-    /// Metric3D: p·f/1000
-    Metric3d,
-}
+/// A field of a way, its option and what was given there.
+type FieldOption = (Key, &'static str, Option<f64>);
 
-/// A way to store a disparity, or a depth.
-enum Way {
-    Disparity(Encoding),
-    Depth(DepthEncoding),
+/// The names of the table, with their help.
+fn names() -> PossibleValuesParser {
+    let named = |one: &EncodingName| PossibleValue::new(one.name).help(one.help);
+    PossibleValuesParser::new(ENCODING_NAMES.iter().map(named))
 }
 
 #[derive(Serialize)]
@@ -124,15 +92,29 @@ struct Answer {
 impl Decode {
     /// The answer, or one sentence that says why there is none.
     pub(super) fn reply(&self) -> Result<Reply, String> {
+        let name = self.name.as_deref().and_then(EncodingName::called);
+        let way = name.map_or_else(|| Way::named(DISPARITIES, "linear"), EncodingName::way);
+        let way = way.ok_or_else(|| format!("{} cannot be decoded.", self.called()))?;
+        let fixed = name.and_then(|name| name.fixed);
+        let options = self.options()?;
+        let is_used = |key: Key| way.asks.contains(&key) && fixed.is_none_or(|(fixed, _)| fixed != key);
+        if let Some((_, option, _)) = options.iter().find(|(key, _, value)| value.is_some() && !is_used(*key)) {
+            return Err(format!("{} has no use for --{option}: leave it out.", self.called()));
+        }
         let given = Given {
             focal_length: optional("fx", self.fx.as_deref(), Quantity::Pixels)?.map(Pixels::new),
             baseline: optional("baseline", self.baseline.as_deref(), Quantity::Millimeters)?.map(Length::from_m),
-            width: optional("width", self.width.as_deref(), Quantity::Pixels)?.map(Pixels::new),
         };
-        let way = self.way(&given)?;
-        let raw = self.raw()?;
-        let mut answer = given.answer(&way, raw).or_else(|reason| self.without(reason))?;
-        let eight_bits = self.eight_bits(raw, &answer);
+        let typed = options.iter().filter_map(|(key, _, value)| Some((*key, (*value)?)));
+        // In the order in which they count.
+        let mut values: Vec<(Key, f64)> = fixed.into_iter().chain(self.raw(way)?).chain(typed).collect();
+        values.extend(given.focal_length.map(|focal_length| (fields::FOCAL_LENGTH, focal_length.px())));
+        values.push((fields::MIN_DISPARITY, 0.0));
+        let of = |key: Key| values.iter().find(|(of, _)| *of == key).map(|(_, value)| *value);
+        let stored = way.stored(&of).map_err(|reason| self.said(reason, &options))?;
+        let number = way.number(&of).map_err(|reason| self.said(reason, &options))?;
+        let mut answer = given.answer(stored, number).or_else(|reason| self.without(reason))?;
+        let eight_bits = stored.eight_bits(number).filter(|_| !answer.no_match);
         answer.warnings.extend(eight_bits.as_ref().map(Warning::of_results));
         answer.warnings.extend(given.unusual_baseline());
         if self.json {
@@ -144,72 +126,50 @@ impl Decode {
         })
     }
 
-    fn way(&self, given: &Given) -> Result<Way, String> {
-        let needs = |value: Option<Pixels>, option: &str| value.ok_or_else(|| format!("{} needs --{option}.", self.called()));
-        let steps = |per_meter| Way::Depth(DepthEncoding::Steps { per_meter });
-        let depth_ai = |bits| Way::Disparity(Encoding::DepthAi(bits));
-        let Some(name) = self.name else { return self.linear() };
-        Ok(match name {
-            Name::Opencv => Way::Disparity(Encoding::OpenCv {
-                min_disparity: self.min_disparity,
-            }),
-            Name::Kitti => Way::Disparity(Encoding::Kitti),
-            Name::Cityscapes => Way::Disparity(Encoding::Cityscapes),
-            Name::Realsense => Way::Disparity(Encoding::RealSense),
-            Name::Depthai3 => depth_ai(SubpixelBits::Three),
-            Name::Depthai4 => depth_ai(SubpixelBits::Four),
-            Name::Depthai5 => depth_ai(SubpixelBits::Five),
-            Name::Ensenso => Way::Disparity(Encoding::Ensenso),
-            Name::Kinect1 => Way::Disparity(Encoding::KinectV1),
-            Name::Zed => Way::Disparity(Encoding::Zed),
-            Name::Fraction => Way::Disparity(Encoding::FractionOfWidth {
-                image_width: needs(given.width, "width")?,
-            }),
-            Name::InverseDepth => self.inverse()?,
-            Name::DepthMm => steps(1000.0),
-            Name::Tum => steps(5000.0),
-            Name::KittiDepth => steps(256.0),
-            Name::Vkitti => steps(100.0),
-            Name::Carla => Way::Depth(DepthEncoding::ThreeChannels),
-            Name::Da3Metric => Way::Depth(DepthEncoding::DepthAnything3 {
-                focal_length: needs(given.focal_length, "fx")?,
-            }),
-            Name::Metric3d => Way::Depth(DepthEncoding::Metric3D {
-                focal_length: needs(given.focal_length, "fx")?,
-            }),
-        })
+    /// The options for the fields of the ways, but for the focal length, which is of use to each.
+    fn options(&self) -> Result<[FieldOption; 9], String> {
+        Ok([
+            (fields::STEPS_PER_PIXEL, "divide", self.divide),
+            (fields::STORED_OFFSET, "offset", self.offset),
+            (fields::NO_MATCH, "invalid", self.invalid),
+            (
+                fields::FRAME_WIDTH,
+                "width",
+                optional("width", self.width.as_deref(), Quantity::Pixels)?,
+            ),
+            (fields::MIN_DISPARITY, "min-disparity", self.min_disparity.map(f64::from)),
+            (fields::STEPS_PER_METER, "per-meter", self.per_meter),
+            (fields::NEAR_PLANE, "near", self.near),
+            (fields::FAR_PLANE, "far", self.far),
+            (fields::NETWORK_SCALE, "scale", self.scale),
+        ])
     }
 
-    fn linear(&self) -> Result<Way, String> {
-        let factor = self.divide.unwrap_or(1.0);
-        if factor == 0.0 || !factor.is_finite() || !self.offset.is_finite() {
-            return Err("--divide is how many steps a pixel has: it cannot be 0, and like --offset it is a number.".to_owned());
-        }
-        let (offset, no_match) = (self.offset, self.invalid);
-        Ok(Way::Disparity(Encoding::Linear(Linear { factor, offset, no_match })))
-    }
-
-    fn inverse(&self) -> Result<Way, String> {
-        let is_right = self.near > 0.0 && self.far > self.near && self.far.is_finite() && self.scale > 0.0 && self.scale.is_finite();
-        if !is_right {
-            return Err("--near and --far are distances above 0, the far one the larger, and --scale is above 0.".to_owned());
-        }
-        let (near, far, scale) = (self.near, self.far, self.scale);
-        Ok(Way::Depth(DepthEncoding::Inverse { near, far, scale }))
-    }
-
-    /// The stored number; of three channels R + 256·G + 65 536·B.
-    fn raw(&self) -> Result<f64, String> {
-        if self.name != Some(Name::Carla) {
+    /// The stored number, in the first field of `way`; of three channels each in its own.
+    fn raw(&self, way: &Way) -> Result<Vec<(Key, f64)>, String> {
+        let [red, green, blue] = [fields::RED, fields::GREEN, fields::BLUE];
+        if way.asks != [red, green, blue] {
             let text = self.raw.trim().replace('\u{2212}', "-");
             let hexadecimal = text.strip_prefix("0x").and_then(|digits| u32::from_str_radix(digits, 16).ok());
             let number = hexadecimal.map_or_else(|| text.parse::<f64>(), |number| Ok(f64::from(number)));
-            return number.map_err(|_| format!("“{}” is no number that a file can store: give one, such as 12345.", self.raw));
+            let number = number.map_err(|_| format!("“{}” is no number that a file can store: give one, such as 12345.", self.raw))?;
+            return Ok(way.asks.first().map(|&key| (key, number)).into_iter().collect());
         }
         let channels: Vec<Option<u8>> = self.raw.split(',').map(|channel| channel.trim().parse().ok()).collect();
         match *channels {
-            [Some(red), Some(green), Some(blue)] => Ok(f64::from(red) + 256.0 * f64::from(green) + 65_536.0 * f64::from(blue)),
+            [Some(of_red), Some(of_green), Some(of_blue)] => Ok([(red, of_red), (green, of_green), (blue, of_blue)]
+                .map(|(key, value)| (key, f64::from(value)))
+                .into()),
             _ => Err("carla needs three numbers from 0 to 255, red, green and blue, such as 100,20,1.".to_owned()),
+        }
+    }
+
+    /// Why it is not known what is stored, at the option that says it.
+    fn said(&self, reason: NotStored, options: &[FieldOption]) -> String {
+        let option = |key: Key| options.iter().find(|(of, ..)| *of == key).map_or("fx", |(_, option, _)| option);
+        match reason {
+            NotStored::Missing(key) => format!("{} needs --{}.", self.called(), option(key)),
+            NotStored::Wrong(note) => format!("--{}: {}", option(note.key), in_sentence(&note.message())),
         }
     }
 
@@ -232,22 +192,11 @@ impl Decode {
         }
     }
 
-    /// That a file with 16 bits may have been read with 8.
-    fn eight_bits(&self, raw: f64, answer: &Answer) -> Option<String> {
-        let has_16_bits = matches!(
-            self.name,
-            Some(Name::Kitti | Name::Cityscapes | Name::DepthMm | Name::Tum | Name::KittiDepth | Name::Vkitti)
-        );
-        (has_16_bits && raw > 0.0 && raw <= 255.0 && !answer.no_match).then(|| {
-            format!(
-                "{raw} is small for 16 bits. If no pixel has more than 255, the file was read with 8 bits: read it with IMREAD_UNCHANGED in OpenCV."
-            )
-        })
-    }
-
-    fn called(&self) -> String {
-        let value = self.name.and_then(|name| name.to_possible_value());
-        value.map_or_else(|| "it".to_owned(), |value| value.get_name().to_owned())
+    /// What the number is stored as: the name of the table, or what stands for any other.
+    fn called(&self) -> &str {
+        let name = self.name.as_deref();
+        let known = name.and_then(EncodingName::called).map(|known| known.name);
+        known.or(name).unwrap_or("--divide")
     }
 }
 
@@ -255,7 +204,6 @@ impl Decode {
 struct Given {
     focal_length: Option<Pixels>,
     baseline: Option<Length>,
-    width: Option<Pixels>,
 }
 
 impl Given {
@@ -269,25 +217,20 @@ impl Given {
         Some(Warning::of_option("baseline", &said))
     }
 
-    fn answer(&self, way: &Way, raw: f64) -> Result<Answer, NoDisparity> {
-        let is_kinect = matches!(way, Way::Disparity(Encoding::KinectV1));
-        let focal_length = self.focal_length.or(is_kinect.then_some(KINECT_V1_FOCAL_LENGTH));
-        let baseline = self.baseline.or(is_kinect.then_some(KINECT_V1_BASELINE));
-        let camera = focal_length.zip(baseline);
-        let (disparity, distance) = match way {
-            Way::Disparity(encoding) => {
-                let disparity = encoding.decode(raw)?;
-                let seen = camera.filter(|_| disparity.px() > 0.0);
-                let distance = seen.map(|(f, b)| stereo::depth(f, b, disparity));
-                (Some(disparity), distance.map(finite).transpose()?)
-            }
-            Way::Depth(encoding) => {
-                let distance = encoding.decode(raw)?;
-                let seen = camera.filter(|_| distance.m() > 0.0);
-                (seen.map(|(f, b)| stereo::disparity(f, b, distance)), Some(distance))
-            }
-        };
-        let warnings = disparity.filter(|disparity| disparity.px() <= 0.0).map(|_| {
+    fn answer(&self, stored: Stored, number: f64) -> Result<Answer, NoDisparity> {
+        let own = stored.own_camera();
+        let focal_length = self.focal_length.or(own.map(|(focal_length, _)| focal_length));
+        let baseline = self.baseline.or(own.map(|(_, baseline)| baseline));
+        let mut cameras = Problem::default();
+        cameras.set(Field::FocalLength, focal_length.map(Pixels::px));
+        cameras.set(Field::Baseline, baseline.map(Length::m));
+        let has_camera = focal_length.is_some() && baseline.is_some();
+        let Decoded { disparity, distance } = stored.decode(number, &cameras)?;
+        let is_behind = disparity.is_some_and(|disparity| disparity.px() <= 0.0);
+        if has_camera && !is_behind && (disparity.is_none() || distance.is_none()) {
+            return Err(NoDisparity::OutOfRange);
+        }
+        let warnings = is_behind.then(|| {
             Warning::of_results(&"A disparity of 0 or less is no distance: the cameras may be swapped, or doffs has to be added.")
         });
         Ok(Answer {
@@ -295,17 +238,8 @@ impl Given {
             distance_m: distance.map(Length::m),
             no_match: false,
             warnings: warnings.into_iter().collect(),
-            has_camera: camera.is_some(),
+            has_camera,
         })
-    }
-}
-
-/// What can be written down.
-fn finite(distance: Length) -> Result<Length, NoDisparity> {
-    if distance.m().is_finite() && distance.m() > 0.0 {
-        Ok(distance)
-    } else {
-        Err(NoDisparity::OutOfRange)
     }
 }
 

@@ -4,10 +4,13 @@ use crate::program::{B, D, FX, Program};
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
+/// The button for the helper of the disparity.
+const HELPER: &str = "OpenCV × 16, doffs…";
+
 #[test]
 fn a_raw_value_of_opencv_becomes_a_disparity() {
     let mut program = Program::new();
-    program.press("OpenCV × 16, doffs…");
+    program.press(HELPER);
     program.choose("What is known", "OpenCV StereoBM or StereoSGBM");
     program.type_into("Stored value", "-16");
     program.type_into("minDisparity", "0");
@@ -15,6 +18,98 @@ fn a_raw_value_of_opencv_becomes_a_disparity() {
     program.type_into("Stored value", "800");
     program.press("Use d = 50.0000 px");
     assert_eq!(program.value(D), "50");
+}
+
+#[test]
+fn a_number_of_kitti_becomes_a_disparity_and_says_how_far_away_that_is() {
+    let mut program = Program::new();
+    program.press(HELPER);
+    program.choose("What is known", "KITTI, 16-bit image");
+    program.type_into("Stored value", "12345");
+    assert!(!program.says("fx and b of the form"), "there are none: {}", program.text());
+    program.press("Cancel");
+    program.type_into(FX, "700");
+    program.type_into(B, "100");
+    program.press(HELPER);
+    assert!(
+        program.says("d = 48.2227 px; with fx and b of the form that is 1.452 m."),
+        "{}",
+        program.text()
+    );
+    program.press("Use d = 48.2227 px");
+    assert_eq!(program.value(D), "48.22265625");
+    assert!(program.says("1.452 m"), "{}", program.text());
+}
+
+#[test]
+fn a_stored_depth_is_shown_at_once_and_becomes_a_disparity_with_the_cameras_of_the_form() {
+    let mut program = Program::new();
+    program.press(HELPER);
+    program.choose("What is known", "Depth: steps in a meter");
+    program.type_into("Stored value", "7000");
+    program.choose("Common depth scales", "5000: TUM RGB-D, ICL-NUIM");
+    assert_eq!(program.value("Steps in a meter"), "5000");
+    assert!(
+        program.says("Z = 1.400 m. Fill in the focal length and the baseline to get the disparity that this would be."),
+        "{}",
+        program.text()
+    );
+    program.press("Cancel");
+    program.type_into(FX, "700");
+    program.type_into(B, "100");
+    program.press(HELPER);
+    assert!(
+        program.says("Z = 1.400 m; with fx and b of the form that would be d = 50.0000 px."),
+        "{}",
+        program.text()
+    );
+    program.press("Use d = 50.0000 px");
+    assert_eq!(program.value(D), "50");
+}
+
+#[test]
+fn a_network_that_needs_a_focal_length_asks_for_it() {
+    let mut program = Program::new();
+    program.press(HELPER);
+    program.choose("What is known", "Network: Metric3D");
+    program.type_into("Output of the network", "2");
+    assert!(program.says("Fill in the focal length to get the depth."), "{}", program.text());
+    program.press("Cancel");
+    program.type_into(FX, "700");
+    program.press(HELPER);
+    assert!(program.says("Z = 1.400 m. Fill in the baseline to get"), "{}", program.text());
+}
+
+#[test]
+fn a_file_of_16_bits_that_was_read_with_8_is_named_at_the_stored_value() {
+    let mut program = Program::new();
+    program.press(HELPER);
+    program.choose("What is known", "KITTI, 16-bit image");
+    program.type_into("Stored value", "200");
+    assert!(program.says("Were 16 bits read as 8? 200 is small for 16"), "{}", program.text());
+    // Some pixels are that far away.
+    program.press("Use d = 0.781\u{2009}250 px");
+    assert_eq!(program.value(D), "0.78125");
+}
+
+#[test]
+fn the_first_kinect_brings_its_camera() {
+    let mut program = Program::new();
+    program.type_into(FX, "700");
+    program.press(HELPER);
+    program.choose("What is known", "doffs as a calibration file gives it");
+    program.type_into("doffs", "40");
+    program.press("Use doffs = 40.0000 px");
+    program.press(HELPER);
+    program.choose("What is known", "Kinect, the first one");
+    program.type_into("Stored value", "800");
+    assert!(program.says("with its own fx and b that is 1.200 m."), "{}", program.text());
+    program.press("Use d = 36.2500 px");
+    assert_eq!(
+        (program.value(FX), program.value(B), program.unit(B), program.value(D)),
+        ("580".into(), "75".into(), "mm".into(), "36.25".into())
+    );
+    assert!(program.says("1.200 m"), "{}", program.text());
 }
 
 #[test]
@@ -102,7 +197,7 @@ fn a_mistake_in_a_helper_is_said_at_its_field() {
 #[test]
 fn what_can_be_below_zero_is_not_given_a_keyboard_without_minus() {
     let mut program = Program::new();
-    program.press("OpenCV × 16, doffs…");
+    program.press(HELPER);
     let field = program.harness.get_by_label("x in the right image");
     assert_eq!(field.accesskit_node().role(), Role::TextInput);
 }

@@ -123,12 +123,17 @@ impl Program {
         self.harness.run();
         self.harness.get_by_role_and_label(Role::ComboBox, combo).click();
         self.harness.run();
-        self.harness
-            .get_all_by_label_contains(option)
-            .find(|node| node.accesskit_node().role() == Role::Button)
-            .unwrap()
-            .click();
+        // A long list scrolls.
+        self.entry(option).scroll_to_me();
         self.harness.run();
+        self.entry(option).click();
+        self.harness.run();
+    }
+
+    /// The entry of this name in the list that is open.
+    fn entry<'a>(&'a self, name: &'a str) -> egui_kittest::Node<'a> {
+        let mut named = self.harness.get_all_by_label_contains(name);
+        named.find(|node| node.accesskit_node().role() == Role::Button).unwrap()
     }
 
     /// Everything that can be read on the screen.

@@ -2,8 +2,8 @@
 
 use crate::case::{Case, cases};
 use depth_calculator::core::camera::Projection;
-use depth_calculator::core::problem::{Field, Method};
-use depth_calculator::core::quantity::{Length, LengthUnit};
+use depth_calculator::core::problem::{Field, Method, Problem};
+use depth_calculator::core::quantity::LengthUnit;
 use depth_text::camera_sheet::CameraSheet;
 use depth_text::field::Key;
 use depth_text::fields;
@@ -66,7 +66,7 @@ impl Said {
                 let key = way.strip_prefix("way ").unwrap_or_else(|| panic!("what is [{way}]?"));
                 let mut tables = [FOCAL_LENGTHS, BASELINES, DISPARITIES].into_iter();
                 let way = tables.find_map(|ways| Way::named(ways, key)).unwrap();
-                for note in &way.solve(&case.entries(), Length::from_m(0.0)).notes {
+                for note in &way.solve(&case.entries(), &Problem::default()).notes {
                     self.note(note);
                 }
             }

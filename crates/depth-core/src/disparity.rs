@@ -98,7 +98,7 @@ pub enum NoDisparity {
     Invalid,
     /// The encoding stores whole numbers, and this is none: it may have been divided already.
     NotWhole,
-    /// The encoding cannot hold the number.
+    /// The encoding cannot hold the number, as one of whole numbers cannot hold what is not finite.
     OutOfRange,
 }
 
@@ -118,7 +118,8 @@ impl Encoding {
     pub fn decode(self, stored: f64) -> Result<Pixels, NoDisparity> {
         const UNSIGNED: (f64, f64) = (0.0, 65_535.0);
         const SIGNED: (f64, f64) = (-32_768.0, 32_767.0);
-        if !stored.is_finite() {
+        let is_real = matches!(self, Self::Pixels | Self::Zed | Self::FractionOfWidth { .. } | Self::Linear(_));
+        if is_real && !stored.is_finite() {
             return Err(NoDisparity::Invalid);
         }
         let pixels = match self {
@@ -226,7 +227,7 @@ impl SubpixelBits {
 }
 
 fn fixed_point(stored: f64, (lowest, highest): (f64, f64), invalid: f64, scale: f64) -> Result<f64, NoDisparity> {
-    if stored < lowest || stored > highest {
+    if !(lowest..=highest).contains(&stored) {
         Err(NoDisparity::OutOfRange)
     } else if stored.fract() != 0.0 {
         Err(NoDisparity::NotWhole)

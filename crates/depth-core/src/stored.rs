@@ -63,10 +63,10 @@ impl DepthEncoding {
     /// # Errors
     /// [`NoDisparity`].
     pub fn decode(self, stored: f64) -> Result<Length, NoDisparity> {
-        if !stored.is_finite() {
+        let is_network = !matches!(self, Self::Steps { .. } | Self::ThreeChannels);
+        if is_network && !stored.is_finite() {
             return Err(NoDisparity::Invalid);
         }
-        let is_network = !matches!(self, Self::Steps { .. } | Self::ThreeChannels);
         if is_network && stored < 0.0 || matches!(self, Self::Inverse { .. }) && stored > 1.0 {
             return Err(NoDisparity::OutOfRange);
         }
@@ -90,7 +90,7 @@ impl DepthEncoding {
 
 /// `stored`, where it is a whole number from 1 to below `most`: both ends mark that there is nothing.
 fn whole(stored: f64, most: f64) -> Result<f64, NoDisparity> {
-    if stored < 0.0 || stored > most {
+    if !(0.0..=most).contains(&stored) {
         Err(NoDisparity::OutOfRange)
     } else if stored.fract() != 0.0 {
         Err(NoDisparity::NotWhole)

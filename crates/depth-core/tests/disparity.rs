@@ -46,12 +46,24 @@ fn each_encoding_refuses_its_own_mark_and_what_it_cannot_hold() {
     }
     assert_eq!(opencv(0).decode(32_768.0), Err(NoDisparity::OutOfRange));
     assert_eq!(opencv(0).decode(50.25), Err(NoDisparity::NotWhole));
+    let image_width = Pixels::new(1e300);
     for number in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        for encoding in [Encoding::Pixels, Encoding::Zed, Encoding::Kitti, opencv(0)] {
-            assert_eq!(encoding.decode(number), Err(NoDisparity::Invalid));
+        for encoding in [Encoding::Pixels, Encoding::Zed, Encoding::FractionOfWidth { image_width }] {
+            assert_eq!(encoding.decode(number), Err(NoDisparity::Invalid), "{encoding:?}");
+        }
+        // Whole numbers have no such marks.
+        let depth_ai = Encoding::DepthAi(SubpixelBits::Three);
+        let of_16_bits = [
+            Encoding::Kitti,
+            Encoding::Cityscapes,
+            Encoding::RealSense,
+            Encoding::Ensenso,
+            depth_ai,
+        ];
+        for encoding in of_16_bits.into_iter().chain([Encoding::KinectV1, opencv(0)]) {
+            assert_eq!(encoding.decode(number), Err(NoDisparity::OutOfRange), "{encoding:?}");
         }
     }
-    let image_width = Pixels::new(1e300);
     assert_eq!(
         Encoding::FractionOfWidth { image_width }.decode(1e300),
         Err(NoDisparity::OutOfRange)

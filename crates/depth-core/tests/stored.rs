@@ -84,6 +84,12 @@ fn depths_of_data_sets_simulators_and_networks() {
         "the sky"
     );
     assert_eq!(metric3d.decode(-1.0), Err(NoDisparity::OutOfRange));
+    for number in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let refusals = EVERY_DEPTH.map(|encoding| encoding.decode(number).unwrap_err());
+        let (whole, of_networks) = refusals.split_at(2);
+        assert_eq!(whole, [NoDisparity::OutOfRange; 2], "{number}");
+        assert_eq!(of_networks, [NoDisparity::Invalid; 3], "{number}");
+    }
 }
 
 proptest! {

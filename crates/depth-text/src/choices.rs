@@ -1,4 +1,5 @@
-//! What can be chosen instead of typed: sensor formats with their true dimensions, and matching errors that people state.
+//! What can be chosen instead of typed: sensor formats with their true dimensions, matching errors that people
+//! state, and scales of stored depths.
 
 /// A sensor format and its true dimensions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,6 +51,17 @@ pub const MATCHING_ERRORS: [(f64, &str); 7] = [
     (0.4, "mrcal, 0.3 to 0.5"),
     (0.5, "limit (Carnegie Robotics)"),
     (1.3, "mrcal with a poor lens model"),
+];
+
+/// Steps in a meter of depths that are stored as whole numbers, fewest first, and who stores so.
+pub const DEPTH_SCALES: [(f64, &str); 7] = [
+    (100.0, "Virtual KITTI"),
+    (256.0, "KITTI depth"),
+    (1000.0, "RealSense, ScanNet"),
+    (4000.0, "RealSense L515"),
+    (5000.0, "TUM RGB-D, ICL-NUIM"),
+    (8000.0, "RealSense SR300"),
+    (10_000.0, "RealSense D405"),
 ];
 
 #[cfg(test)]

@@ -72,6 +72,12 @@ const VIEW: FieldSpec = FieldSpec {
     ..BLANK
 };
 
+const CHANNEL: FieldSpec = FieldSpec {
+    kind: Kind::Count,
+    hint: "0 to 255",
+    ..BLANK
+};
+
 /// An option of the command line: its name, and the help of it and of its σ. A page has no command line, and need not download
 /// them.
 const fn option(name: &'static str, help: &'static str, sigma_help: &'static str) -> Option<CommandOption> {
@@ -635,6 +641,46 @@ table! {
         label: "Sub-pixel bits", hint: "3, 4 or 5",
         ..BLANK
     };
+    /// What a program stores for one pixel of disparity more.
+    STEPS_PER_PIXEL = FieldSpec { key: "steps-per-pixel", name: "Steps in a pixel", noun: "the number of steps in a pixel",
+        examples: &["16"], signed: true,
+        label: "Steps in a pixel", hint: "Negative where less is stored for what is nearer",
+        ..BLANK };
+    /// What a program stores for a disparity of 0.
+    STORED_OFFSET = FieldSpec { key: "stored-offset", name: "Stored for 0 px", noun: "the offset", examples: &["0"], signed: true,
+        label: "Stored for 0 px", hint: "The offset; empty: 0",
+        ..BLANK };
+    /// What a program stores where there is no disparity.
+    NO_MATCH = FieldSpec { key: "no-match", name: "Stored without a match", noun: "the mark", examples: &["−1"], signed: true,
+        label: "Stored without a match", hint: "Empty: every number is a disparity",
+        ..BLANK };
+    /// What a program stores for one meter more.
+    STEPS_PER_METER = FieldSpec { key: "steps-per-meter", name: "Steps in a meter", noun: "the number of steps in a meter",
+        examples: &["1000"],
+        label: "Steps in a meter", hint: "1000 where millimeters are stored",
+        ..BLANK };
+    /// The red channel of a pixel.
+    RED = FieldSpec { key: "red", name: "Red (R)", noun: "the red channel", examples: &["100"], label: "Red (R)", ..CHANNEL };
+    /// The green channel of a pixel.
+    GREEN = FieldSpec { key: "green", name: "Green (G)", noun: "the green channel", examples: &["20"], label: "Green (G)", ..CHANNEL };
+    /// The blue channel of a pixel.
+    BLUE = FieldSpec { key: "blue", name: "Blue (B)", noun: "the blue channel", examples: &["1"], label: "Blue (B)", ..CHANNEL };
+    /// What a network gives for a pixel.
+    NETWORK_OUTPUT = FieldSpec { key: "network-output", name: "Output of the network", noun: "the output", examples: &["0.6"],
+        label: "Output of the network", hint: "As the array has it",
+        ..BLANK };
+    /// The distance for which a network gives 1.
+    NEAR_PLANE = FieldSpec { key: "near-plane", name: "Near plane", noun: "the near plane", examples: &["0.1"],
+        label: "Near plane", hint: "Where the output is 1; empty: 0.1",
+        ..BLANK };
+    /// The distance for which a network gives 0.
+    FAR_PLANE = FieldSpec { key: "far-plane", name: "Far plane", noun: "the far plane", examples: &["100"],
+        label: "Far plane", hint: "Where the output is 0; empty: 100",
+        ..BLANK };
+    /// The unit in which a network has its planes.
+    NETWORK_SCALE = FieldSpec { key: "network-scale", name: "Scale", noun: "the scale", examples: &["1"],
+        label: "Scale", hint: "Meters in its unit; empty: 1; monodepth2 on KITTI: 5.4",
+        ..BLANK };
     /// A disparity as a part of the width of the image.
     FRACTION = FieldSpec { key: "fraction", name: "Fraction", noun: "the fraction", examples: &["0.039"], signed: true,
         label: "Fraction", hint: "Disparity divided by the width of the image",

@@ -265,6 +265,14 @@ variants! {
         WrongSubpixelBits,
         /// A stored value that stands for no disparity.
         NotADisparity { reason: NoDisparity },
+        /// A stored value that stands for no depth.
+        NoDepth,
+        /// A stored value that is small for the 16 bits of its encoding.
+        EightBits { number: String },
+        /// A channel of a picture that is none.
+        NotAChannel,
+        /// A far plane that is not farther away than the near one.
+        FarPlaneNotFarther,
 
         /// A text without a Q matrix among what else it has.
         NoQMatrix,

@@ -31,7 +31,6 @@ use super::session::Session;
 use super::theme::{self, Layout};
 use super::widgets::{field, note_line, scroll};
 use crate::core::problem::{Field, Method};
-use crate::core::quantity::Length;
 use depth_text::field::{Key, Section};
 use depth_text::note::Severity;
 use depth_text::report::strip::Mode;
@@ -158,8 +157,7 @@ impl Calculator {
             }
         }
         if let Some(helper) = self.helper {
-            let zero = cx.session.assessment().solution.problem.zero;
-            self.solved = helpers::Solved::new(helper, cx.settings, zero.unwrap_or(Length::from_m(0.0)));
+            self.solved = helpers::Solved::new(helper, cx.settings, cx.session.assessment());
         }
         let time = simulations::Time {
             // After a rest egui says how long a frame will be, not how long the rest was.

@@ -30,6 +30,20 @@ pub enum Hint {
     StillNeeds { title: String, count: usize },
     /// The field of view that a focal length means.
     View { view: Angle },
+    /// The distance that a disparity means to the cameras of the form, or to the only ones that store so.
+    SeenAt {
+        disparity: String,
+        distance: String,
+        has_own_camera: bool,
+    },
+    /// A depth that was stored, and the disparity that it would be, or what is missing for that.
+    StoredDepth {
+        depth: String,
+        disparity: Option<String>,
+        missing: Vec<Key>,
+    },
+    /// What is missing for a depth.
+    NoDepthWithout { missing: Vec<Key> },
     /// That a baseline may be in squares.
     SquaresOfBoard,
     /// What the button for a Q matrix copies, or what is missing for it.
@@ -91,6 +105,18 @@ impl Display for Hint {
             Self::StillNeeds { title, count: 1 } => write!(f, "{title} needs one more number"),
             Self::StillNeeds { title, count } => write!(f, "{title} needs {count} more numbers"),
             Self::View { view } => write!(f, "A horizontal field of view of {}°.", significant(view.degrees(), 3)),
+            Self::SeenAt { disparity, distance, has_own_camera } => {
+                let whose = if *has_own_camera { "its own fx and b" } else { "fx and b of the form" };
+                write!(f, "{disparity}; with {whose} that is {distance}.")
+            }
+            Self::StoredDepth { depth, disparity: Some(disparity), .. } => {
+                write!(f, "Z = {depth}; with fx and b of the form that would be {disparity}.")
+            }
+            Self::StoredDepth { depth, missing, .. } if missing.is_empty() => write!(f, "Z = {depth}."),
+            Self::StoredDepth { depth, missing, .. } => {
+                write!(f, "Z = {depth}. Fill in {} to get the disparity that this would be.", nouns(missing))
+            }
+            Self::NoDepthWithout { missing } => write!(f, "Fill in {} to get the depth.", nouns(missing)),
             Self::Simulating { total, percent } => {
                 write!(f, "Drawing {} times: {percent} %", grouped(*total))
             }
@@ -133,6 +159,12 @@ pub(super) fn grouped(count: u32) -> String {
         return count.to_string();
     }
     format!("{}\u{a0}{:03}", count / 1000, count % 1000)
+}
+
+/// "the focal length and the baseline"
+fn nouns(keys: &[Key]) -> String {
+    let nouns: Vec<&str> = keys.iter().map(|key| key.noun).collect();
+    nouns.join(" and ")
 }
 
 /// What the gray numbers are of, whatever is typed beside them.
@@ -196,6 +228,7 @@ mod tests {
             cy: Pixels::new(350.5),
             swapped: false,
         };
+        let disparity = || "d = 48.2227 px".to_owned();
         let mut hints = every![Hint;
             Hint::Field { .. } => Hint::Field { key: fields::FOCAL_LENGTH, unit: None },
             Hint::Sigma => Hint::Sigma,
@@ -204,6 +237,9 @@ mod tests {
             Hint::QMatrixUnit { .. } => Hint::QMatrixUnit { baseline: 100.0 },
             Hint::StillNeeds { .. } => Hint::StillNeeds { title: "Stereo".into(), count: 1 },
             Hint::View { .. } => Hint::View { view: Angle::from_degrees(54.317) },
+            Hint::SeenAt { .. } => Hint::SeenAt { disparity: disparity(), distance: "1.234 m".into(), has_own_camera: false },
+            Hint::StoredDepth { .. } => Hint::StoredDepth { depth: "1.400 m".into(), disparity: Some(disparity()), missing: Vec::new() },
+            Hint::NoDepthWithout { .. } => Hint::NoDepthWithout { missing: vec![fields::FOCAL_LENGTH] },
             Hint::SquaresOfBoard => Hint::SquaresOfBoard,
             Hint::QMatrixCopy { .. } => Hint::QMatrixCopy { missing: Vec::new() },
             Hint::NoGains => Hint::NoGains,
@@ -226,13 +262,7 @@ mod tests {
             Hint::Simulating { .. } => Hint::Simulating { total: 100_000, percent: 40 },
             Hint::Simulated { .. } => Hint::Simulated { draws: 100_000 },
         ];
-        hints.push(Hint::StillNeeds {
-            title: "Monocular".into(),
-            count: 3,
-        });
-        hints.push(Hint::QMatrixCopy {
-            missing: vec![fields::CX, fields::CY],
-        });
+        hints.extend(with_other_facts());
         for key in [fields::BASELINE, fields::DOFFS, fields::CAMERA_PITCH, fields::PIXEL_PITCH] {
             hints.push(Hint::Field {
                 key,
@@ -240,5 +270,30 @@ mod tests {
             });
         }
         assert_shown("hints", &hints);
+    }
+
+    /// Hints that other facts make another sentence of.
+    fn with_other_facts() -> [Hint; 5] {
+        let stored = |missing| Hint::StoredDepth {
+            depth: "1.400 m".into(),
+            disparity: None,
+            missing,
+        };
+        [
+            Hint::SeenAt {
+                disparity: "d = 48.2227 px".into(),
+                distance: "1.234 m".into(),
+                has_own_camera: true,
+            },
+            stored(vec![fields::FOCAL_LENGTH, fields::BASELINE]),
+            stored(Vec::new()),
+            Hint::StillNeeds {
+                title: "Monocular".into(),
+                count: 3,
+            },
+            Hint::QMatrixCopy {
+                missing: vec![fields::CX, fields::CY],
+            },
+        ]
     }
 }

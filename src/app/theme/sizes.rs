@@ -170,8 +170,8 @@ pub const KEYS_WIDTH: f32 = 460.0;
 pub const HELPER_WIDTH: f32 = 440.0;
 /// What of the height of the window the parts of a helper do not get that scroll.
 pub const HELPER_FRAME_HEIGHT: f32 = 180.0;
-/// Width of the choice among the formats of sensors.
-pub const SENSOR_FORMATS_WIDTH: f32 = 200.0;
+/// Width of the choice among common numbers for a field.
+pub const COMMON_WIDTH: f32 = 200.0;
 /// The widest the dialog About grows.
 pub const ABOUT_WIDTH: f32 = 640.0;
 /// What of the height of the window the text of the licenses does not get.

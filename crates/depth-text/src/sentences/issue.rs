@@ -187,6 +187,13 @@ impl Display for Issue {
             Self::NotADisparity {
                 reason: NoDisparity::OutOfRange,
             } => f.write_str("This encoding cannot hold such a value."),
+            Self::NoDepth => f.write_str("There is no depth at this pixel."),
+            Self::EightBits { number } => write!(
+                f,
+                "Were 16 bits read as 8? {number} is small for 16: if no pixel has more than 255, read the file again, in OpenCV with IMREAD_UNCHANGED."
+            ),
+            Self::NotAChannel => f.write_str("A channel is a whole number from 0 to 255."),
+            Self::FarPlaneNotFarther => f.write_str("The far plane must be the larger of both distances."),
             Self::QMatrixRounded => f.write_str("MATLAB printed this matrix with a common factor, which leaves one over the baseline too few digits. Print it with format long g."),
             Self::QMatrixSwapped => f.write_str("The sign of this Q means that left and right are swapped, or that T has the wrong sign: depths come out negative."),
             // A Q matrix.

@@ -10,15 +10,17 @@ use crate::app::sentences::Hint;
 use crate::app::theme;
 use crate::app::widgets::field::{self, Field};
 use crate::app::widgets::menu::List;
-use crate::app::widgets::{main_button, scroll, sensor_formats, text};
+use crate::app::widgets::{common, main_button, scroll, text};
 use crate::core::q_matrix::StereoGeometry;
-use crate::core::quantity::{Length, LengthUnit};
+use crate::core::quantity::LengthUnit;
+use depth_text::assess::Assessment;
 use depth_text::choices::MATCHING_ERRORS;
 use depth_text::entry::Entry;
 use depth_text::fields;
 use depth_text::note::{Issue, Note};
 use depth_text::number::plain;
 use depth_text::reading::{self, Reading};
+use depth_text::report;
 use depth_text::ways::{BASELINES, DISPARITIES, FOCAL_LENGTHS, Way, WayResult};
 use egui::Ui;
 
@@ -132,13 +134,16 @@ pub struct Solved {
 }
 
 impl Solved {
-    /// Computes the result of the way that is chosen in `helper`; distances count from `zero`.
-    pub fn new(helper: Helper, settings: &Settings, zero: Length) -> Self {
+    /// Computes the result of the way that is chosen in `helper`, with what the form knows of the cameras.
+    pub fn new(helper: Helper, settings: &Settings, assessment: &Assessment) -> Self {
         let way = Way::named(ways(helper), chosen(helper, &settings.ways).0);
+        // Without what is solved for: it followed from what is to be replaced.
+        let unknown = assessment.unknown.as_ref();
+        let form = unknown.map_or(&assessment.solution.problem, |unknown| &unknown.given);
         let matrix = settings.entries.entry(fields::Q_MATRIX);
         Self {
             way: way.map_or("", |way| way.key),
-            result: way.map(|way| way.solve(&settings.entries, zero)).unwrap_or_default(),
+            result: way.map(|way| way.solve(&settings.entries, form)).unwrap_or_default(),
             square: reading::read(fields::SQUARE_SIZE, settings.entries.entry(fields::SQUARE_SIZE)).transpose(),
             q_matrix: (way.is_none() && !matrix.is_blank()).then(|| depth_text::q_matrix::read(&matrix.text)),
         }
@@ -149,6 +154,9 @@ impl Solved {
         static NOTHING: WayResult = WayResult {
             value: None,
             view: None,
+            distance: None,
+            depth: None,
+            missing: Vec::new(),
             readings: Vec::new(),
             notes: Vec::new(),
         };
@@ -193,15 +201,43 @@ fn way_ui(ui: &mut Ui, cx: &mut AppContext<'_>, way: &Way, result: &WayResult) {
         field.ui(ui, cx.commands);
         ui.add_space(theme::STEP);
         if key == fields::SENSOR_WIDTH
-            && let Some(format) = sensor_formats::ui(ui)
+            && let Some(format) = common::sensor_formats_ui(ui)
         {
             *cx.settings.entries.entry_mut(key) = Entry::new(plain(format.width_mm), Some(LengthUnit::Millimeter));
+        }
+        if key == fields::STEPS_PER_METER
+            && let Some(steps) = common::depth_scales_ui(ui)
+        {
+            *cx.settings.entries.entry_mut(key) = Entry::new(plain(steps), None);
         }
     }
     if let Some(view) = result.view {
         text::caption_ui(ui, Hint::View { view }.to_string());
     }
+    if let Some(hint) = decoded(way, result, cx.unit()) {
+        text::caption_ui(ui, hint.to_string());
+    }
     text::caption_ui(ui, way.remark);
+}
+
+/// What a disparity is to the cameras of the form, or a depth in other words.
+fn decoded(way: &Way, result: &WayResult, unit: LengthUnit) -> Option<Hint> {
+    let disparity = result.value.map(|value| way.result_text(value));
+    match (result.depth, disparity, result.distance) {
+        (Some(depth), disparity, _) => Some(Hint::StoredDepth {
+            depth: report::length(Some(depth), unit),
+            disparity,
+            missing: result.missing.clone(),
+        }),
+        (None, Some(disparity), Some(distance)) => Some(Hint::SeenAt {
+            disparity,
+            distance: report::length(Some(distance), unit),
+            has_own_camera: way.own_camera().is_some(),
+        }),
+        _ => (!result.missing.is_empty()).then(|| Hint::NoDepthWithout {
+            missing: result.missing.clone(),
+        }),
+    }
 }
 
 /// The button that takes what `way` has worked out.
