@@ -246,7 +246,7 @@ fn tab_leads_through_each_field_as_it_is_drawn_then_through_the_choices_and_then
         "Unit of Object real width (w_real)",
         "Uncertainty of Object real width (w_real)",
     ];
-    let late = ["Cameras: Side by side", "Not square…", "Measured: Width"];
+    let late = ["Cameras: Side by side", "Not square…", "Measured: Width", "Known sizes…"];
     let buttons = ["Calculate Distance", "Copy Results", "Reset", "Range, tilt, zero point"];
     let examples = ["Coffee mug (stereo)", "Doorway (monocular)"];
     let wanted = [&of_camera[..], &of_stereo, &of_monocular, &late, &buttons, &examples].concat();

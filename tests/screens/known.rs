@@ -125,7 +125,7 @@ fn a_rig_says_what_its_focal_length_sees_and_takes_what_a_data_sheet_states() {
     program.type_into("Vertical field of view", "60");
     program.press("Use fx = 623.538 px");
     assert_eq!(program.value(FX), "623.538290725");
-    assert_eq!(program.value("Source"), "Vertical field of view 60 °");
+    assert_eq!(program.value("Source"), "Vertical field of view 60°");
 }
 
 #[test]

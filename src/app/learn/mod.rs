@@ -158,7 +158,7 @@ mod tests {
                 .lines()
                 .filter(|line| line.starts_with("### ") && line.ends_with('?'))
                 .count(),
-            8
+            10
         );
     }
 }
