@@ -515,7 +515,7 @@ fn known_sizes_and_cameras_look_as_before() {
 
 #[test]
 fn camera_facts_look_as_before() {
-    look("camera-facts", &DIALOG, |program| {
+    look("camera-facts", &TOP, |program| {
         program.press("From lens, FOV or Q…");
         program.press("Camera facts…");
         program.type_into("Width of the image", "1280");
