@@ -5,7 +5,7 @@ use super::context::AppContext;
 use super::dialog::{Destination, DialogFrame, close_button_ui};
 use super::rigs::{Rig, number};
 use super::theme;
-use super::widgets::field::Field;
+use super::widgets::field::{self, Field};
 use super::widgets::menu::List;
 use super::widgets::{choice, common, main_button, pairs, scroll, text};
 use crate::core::camera::Projection;
@@ -25,9 +25,12 @@ use std::sync::Arc;
 const LEAD: &str = "Type what is known: what follows stands in gray. Unity states the vertical view; Unreal, CARLA and AirSim the horizontal one; \
                     Gazebo too, as 1.047 rad. Of Blender and Isaac Sim take the lens and the width of the sensor, which is the aperture.";
 
-/// What was typed, and what it means.
+/// The dialog between frames.
 #[derive(Debug, Default)]
 pub struct CameraFacts {
+    /// What is stated of the camera of a rig; that of the calculator is among the settings.
+    of_rig: CameraSheet,
+    /// What was typed, and what it means.
     solved: Option<(CameraSheet, SolvedSheet)>,
 }
 
@@ -56,27 +59,38 @@ impl CameraFacts {
             max_width: theme::CAMERA_WIDTH,
         };
         let close = Command::ShowDialog(None);
-        let solved = self.refresh(&cx.settings.sheet);
+        // Lent to the dialog while it is drawn.
+        let mut sheet = std::mem::take(match destination {
+            Destination::Calculator => &mut cx.settings.sheet,
+            Destination::Rig => &mut self.of_rig,
+        });
+        let solved = self.refresh(&sheet).clone();
+        let solved = &solved;
         let response = frame.ui(ui, |ui| {
             ui.spacing_mut().interact_size.y = cx.layout.control_height();
             let said = said(ui, solved);
-            let height = ui.ctx().content_rect().height() - theme::CAMERA_FRAME_HEIGHT - said.iter().map(|one| one.size().y).sum::<f32>();
+            let room = ui.ctx().content_rect().height() - theme::CAMERA_FRAME_HEIGHT;
+            let said_height = said.iter().map(|one| one.size().y).sum::<f32>();
+            // In sight whatever is scrolled, where that leaves room for the fields.
+            let is_fixed = said_height < room / 3.0;
+            let height = if is_fixed { room - said_height } else { room };
             scroll::up_to_ui(ui, height, |ui| {
                 text::paragraph_ui(ui, LEAD);
-                sheet_ui(ui, cx, solved);
+                sheet_ui(ui, cx, &mut sheet, solved);
+                if !is_fixed {
+                    said_ui(ui, &said);
+                }
             });
             ui.add_space(2.0 * theme::STEP);
-            // In sight whatever is scrolled.
-            for one in said {
-                let said = ui.label(one);
-                text::announce(ui, &said);
+            if is_fixed {
+                said_ui(ui, &said);
             }
             ui.horizontal_wrapped(|ui| {
                 ui.spacing_mut().item_spacing = vec2(2.0 * theme::STEP, 2.0 * theme::STEP);
-                use_ui(ui, cx, solved, destination);
+                use_ui(ui, cx, (&sheet, solved), destination);
                 let clear = Button::new("Clear").min_size(vec2(0.0, cx.layout.control_height()));
                 if ui.add(clear).clicked() {
-                    cx.settings.sheet = CameraSheet::default();
+                    sheet = CameraSheet::default();
                 }
                 close_button_ui(ui, "Close", cx.layout)
             })
@@ -84,6 +98,24 @@ impl CameraFacts {
         });
         if response.inner || response.should_close() {
             cx.commands.push(close);
+        }
+        match destination {
+            Destination::Calculator => cx.settings.sheet = sheet,
+            Destination::Rig => self.of_rig = sheet,
+        }
+    }
+
+    /// Opens it for the rig with these inputs, or without one.
+    pub fn open_for_rig(&mut self, inputs: Option<&Inputs>) {
+        self.of_rig = CameraSheet::default();
+        let Some(inputs) = inputs else { return };
+        for (from, to) in [
+            (fields::FRAME_WIDTH, fields::FRAME_WIDTH),
+            (fields::FRAME_HEIGHT, fields::FRAME_HEIGHT),
+            (fields::FOCAL_LENGTH, fields::CAMERA_FX),
+            (fields::FY, fields::CAMERA_FY),
+        ] {
+            self.of_rig.entries.fill(to, inputs.entry(from).clone());
         }
     }
 
@@ -105,10 +137,16 @@ fn said(ui: &Ui, solved: &SolvedSheet) -> Vec<Arc<Galley>> {
     solved.said.iter().map(lay_out).collect()
 }
 
+fn said_ui(ui: &mut Ui, said: &[Arc<Galley>]) {
+    for one in said {
+        let said = ui.label(one.clone());
+        text::announce(ui, &said);
+    }
+}
+
 /// The fields, and how the lens sees.
-fn sheet_ui(ui: &mut Ui, cx: &mut AppContext<'_>, solved: &SolvedSheet) {
+fn sheet_ui(ui: &mut Ui, cx: &mut AppContext<'_>, sheet: &mut CameraSheet, solved: &SolvedSheet) {
     let mut commands = Vec::new();
-    let sheet = &mut cx.settings.sheet;
     for (heading, keys) in CameraSheet::GROUPS {
         ui.add_space(2.0 * theme::STEP);
         let color = theme::palette(ui).muted;
@@ -127,15 +165,18 @@ fn sheet_ui(ui: &mut Ui, cx: &mut AppContext<'_>, solved: &SolvedSheet) {
         Projection::Pinhole => "Pinhole, as most lenses".to_owned(),
         fisheye => format!("Fisheye, {}", fisheye.name()),
     });
+    let chosen = Projection::ALL.iter().position(|one| *one == sheet.projection());
     let list = List {
         name: "How the lens projects",
-        shown: names.get(sheet.projection).map_or("", String::as_str),
+        shown: chosen.and_then(|at| names.get(at)).map_or("", String::as_str),
         width: ui.available_width(),
         names: &names,
-        chosen: Some(sheet.projection),
+        chosen,
     };
     let (_, now) = list.ui(ui, "how the lens projects");
-    sheet.projection = now.unwrap_or(sheet.projection);
+    if let Some(projection) = now.and_then(|at| Projection::ALL.get(at)) {
+        projection.name().clone_into(&mut sheet.projection);
+    }
     let height = ui.spacing().interact_size.y.max(theme::CHOICE_HEIGHT);
     let (line, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     let mut medium = if sheet.is_under_water { Medium::Water } else { Medium::Air };
@@ -145,7 +186,11 @@ fn sheet_ui(ui: &mut Ui, cx: &mut AppContext<'_>, solved: &SolvedSheet) {
     for command in commands {
         match command {
             // What a note offers is of this sheet.
-            Command::Fix(key, entry) => sheet.entries.fill(key, entry),
+            Command::Fix(key, entry) => {
+                sheet.entries.fill(key, entry);
+                sheet.entries.entry_mut(key).tidy(key);
+                ui.memory_mut(|memory| memory.request_focus(field::id(key)));
+            }
             Command::Calculate | Command::Settle => {}
             other => cx.commands.push(other),
         }
@@ -160,7 +205,7 @@ fn field_ui(ui: &mut Ui, sheet: &mut CameraSheet, solved: &SolvedSheet, (key, co
         notes: solved.notes.iter().filter(|note| note.key == key).collect(),
         with_sigma: false,
         helper: None,
-        id: Id::unique(("camera fact", key.as_str())),
+        id: field::id(key),
         submits: false,
         following: Some(&following),
         entry: sheet.entries.entry_mut(key),
@@ -170,7 +215,7 @@ fn field_ui(ui: &mut Ui, sheet: &mut CameraSheet, solved: &SolvedSheet, (key, co
 }
 
 /// The button that takes the focal length.
-fn use_ui(ui: &mut Ui, cx: &mut AppContext<'_>, solved: &SolvedSheet, destination: Destination) {
+fn use_ui(ui: &mut Ui, cx: &mut AppContext<'_>, (sheet, solved): (&CameraSheet, &SolvedSheet), destination: Destination) {
     let label = solved.answer.as_ref().map_or_else(
         || "Use as fx".to_owned(),
         |answer| format!("Use fx = {} px", depth_text::number::significant(answer.fx.px(), 6)),
@@ -179,61 +224,45 @@ fn use_ui(ui: &mut Ui, cx: &mut AppContext<'_>, solved: &SolvedSheet, destinatio
         return;
     }
     let filled = filled(solved);
+    // Before what opens a notice.
+    cx.commands.push(Command::ShowDialog(None));
     match destination {
         Destination::Calculator => cx.commands.push(Command::FillIn(filled)),
         Destination::Rig => {
-            let sheet = &cx.settings.sheet;
             let size = [fields::FRAME_WIDTH, fields::FRAME_HEIGHT].map(|key| (key, sheet.entries.entry(key).clone()));
-            let source = capital(&solved.stated());
-            if let Some(rig) = cx.settings.rigs.shown_mut() {
-                take(rig, size.into_iter().chain(filled), &source);
-            }
+            let rig = cx
+                .settings
+                .rigs
+                .shown()
+                .map(|rig| changed(rig, size.into_iter().chain(filled), &solved.stated()));
+            let at = cx.settings.rigs.shown;
+            cx.commands.extend(rig.map(|rig| Command::ChangeRig(at, Box::new(rig))));
         }
     }
-    cx.commands.push(Command::ShowDialog(None));
 }
 
 /// What goes into the form: fx, fy where it is another, and the lens where nothing else said fx.
 fn filled(solved: &SolvedSheet) -> Vec<(Key, Entry)> {
     let Some(answer) = &solved.answer else { return Vec::new() };
-    let px = |key: Key, value: f64| (key, Entry::new(number(value), None));
-    let mut filled = vec![px(fields::FOCAL_LENGTH, answer.fx.px())];
-    if number(answer.fy.px()) != number(answer.fx.px()) {
-        filled.push(px(fields::FY, answer.fy.px()));
-    }
-    if let Some(lens) = answer.lens.filter(|_| solved.is_of_lens()) {
-        filled.push((fields::FX_LENS, Entry::new(number(lens.m() * 1000.0), Some(LengthUnit::Millimeter))));
-    }
-    filled
+    let px = |value: f64| Entry::new(number(value), None);
+    let is_square = number(answer.fy.px()) == number(answer.fx.px());
+    let fy = if is_square { Entry::default() } else { px(answer.fy.px()) };
+    let lens = answer.lens.filter(|_| solved.is_of_lens());
+    let lens = lens.map(|lens| Entry::new(number(lens.m() * 1000.0), Some(LengthUnit::Millimeter)));
+    let filled = [(fields::FOCAL_LENGTH, px(answer.fx.px())), (fields::FY, fy)];
+    filled.into_iter().chain(lens.map(|lens| (fields::FX_LENS, lens))).collect()
 }
 
-/// Fills `filled` into `rig`, with where it is from.
-fn take(rig: &mut Rig, filled: impl Iterator<Item = (Key, Entry)>, source: &str) {
-    rig.inputs.entries.remove(fields::FY);
+/// `rig` with what was `filled` in place of what it had, and with where that is from.
+fn changed(rig: &Rig, filled: impl Iterator<Item = (Key, Entry)>, stated: &str) -> Rig {
+    let mut rig = rig.clone();
     for (key, entry) in filled.filter(|(key, _)| Rig::KEYS.contains(key)) {
-        rig.inputs.fill(key, entry);
+        *rig.inputs.entry_mut(key) = entry;
     }
-    if rig.source.trim().is_empty() {
-        source.clone_into(&mut rig.source);
-    }
-}
-
-/// The sheet that the dialog opens with: of the rig that is shown, or what was typed last.
-pub fn opened(destination: Destination, sheet: &CameraSheet, inputs: Option<&Inputs>) -> CameraSheet {
-    let mut opened = match destination {
-        Destination::Rig => CameraSheet::default(),
-        Destination::Calculator => sheet.clone(),
+    rig.source = if rig.source.trim().is_empty() {
+        capital(stated)
+    } else {
+        format!("{}; fx from: {stated}", rig.source.trim())
     };
-    let of_rig = [
-        (fields::FRAME_WIDTH, fields::FRAME_WIDTH),
-        (fields::FRAME_HEIGHT, fields::FRAME_HEIGHT),
-        (fields::FOCAL_LENGTH, fields::CAMERA_FX),
-        (fields::FY, fields::CAMERA_FY),
-    ];
-    if let (Destination::Rig, Some(inputs)) = (destination, inputs) {
-        for (from, to) in of_rig {
-            opened.entries.fill(to, inputs.entry(from).clone());
-        }
-    }
-    opened
+    rig
 }

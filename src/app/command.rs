@@ -122,6 +122,8 @@ pub enum Command {
     UseRig(usize),
     /// Remove the rig at this place.
     RemoveRig(usize),
+    /// Put this rig at the place of another.
+    ChangeRig(usize, Box<Rig>),
     /// Put a rig that was removed back at its place.
     PutBackRig(usize, Box<Rig>),
     /// Save all rigs as a file.
@@ -152,8 +154,8 @@ impl Command {
             Self::SaveReport => "Save report (HTML)",
             Self::ShowDialog(Some(Dialog::Keys)) => "Keys",
             Self::ShowDialog(Some(Dialog::About)) => "About Depth Calculator",
-            Self::ShowDialog(Some(Dialog::KnownCameras(Destination::Calculator))) => "Known cameras…",
-            Self::ShowDialog(Some(Dialog::KnownCameras(Destination::Rig))) => "Add a known camera…",
+            Self::ShowDialog(Some(Dialog::Presets(Destination::Calculator))) => "Known cameras…",
+            Self::ShowDialog(Some(Dialog::Presets(Destination::Rig))) => "Add a known camera…",
             Self::ShowDialog(Some(Dialog::CameraFacts(_))) => "Camera facts…",
             Self::ShowDialog(Some(Dialog::SensorMode)) => "Another mode…",
             Self::Help(Some(Helper::FocalLength)) => "From lens, FOV or Q…",
@@ -170,7 +172,7 @@ impl Command {
             Self::AddRig(_) => "New rig",
             Self::UseCalibration(_) | Self::UseRig(_) => "Use in calculator",
             Self::RemoveRig(_) => "Remove",
-            Self::PutBackRig(..) => "Undo",
+            Self::PutBackRig(..) | Self::ChangeRig(..) => "Undo",
             Self::ExportRigs => "Save as JSON",
             Self::CloseImport => "Cancel",
             Self::Show(screen) => screen.name(),
@@ -274,6 +276,7 @@ impl Command {
             | Self::ShowRig(_)
             | Self::RemoveRig(_)
             | Self::PutBackRig(..)
+            | Self::ChangeRig(..)
             | Self::ExportRigs
             | Self::Show(_)
             | Self::ShowDialog(_)

@@ -12,7 +12,7 @@ pub enum Dialog {
     /// What the program is, and its licenses.
     About,
     /// The cameras that everybody knows.
-    KnownCameras(Destination),
+    Presets(Destination),
     /// What is stated of a camera, and what follows.
     CameraFacts(Destination),
     /// Another mode of the sensor of the rig that is shown.

@@ -3,12 +3,11 @@
 
 use super::App;
 use super::calculator;
-use super::camera_facts;
 use super::chart_picture::ChartPicture;
 use super::command::Command;
 use super::context::AppContext;
 use super::copyable::Copyable;
-use super::dialog::Dialog;
+use super::dialog::{Destination, Dialog};
 use super::notice::Notice;
 use super::platform::{Event, FileContents};
 #[cfg(not(target_arch = "wasm32"))]
@@ -19,7 +18,7 @@ use super::theme::{self, Layout};
 use super::widgets::field;
 use crate::core::quantity::{Length, LengthUnit};
 use depth_presets::Size;
-use depth_text::entry::Entry;
+use depth_text::entry::{Entries, Entry};
 use depth_text::export::{Exporter as _, Text};
 use depth_text::field::Key;
 use depth_text::form::Inputs;
@@ -132,6 +131,7 @@ impl App {
             | Command::UseRig(_)
             | Command::RemoveRig(_)
             | Command::PutBackRig(..)
+            | Command::ChangeRig(..)
             | Command::ExportRigs) => self.carry_out_on_rigs(ctx, command),
             Command::ShowResultsIn(unit) => self.settings.result_unit = unit,
             Command::Theme(theme) => {
@@ -269,9 +269,12 @@ impl App {
 
     /// Opens a dialog, or closes the one that is open.
     fn show_dialog(&mut self, dialog: Option<Dialog>) {
-        if let Some(Dialog::CameraFacts(destination)) = dialog {
-            let rig = self.settings.rigs.shown().map(|rig| &rig.inputs);
-            self.settings.sheet = camera_facts::opened(destination, &self.settings.sheet, rig);
+        match dialog {
+            Some(Dialog::CameraFacts(Destination::Rig)) => {
+                self.camera_facts.open_for_rig(self.settings.rigs.shown().map(|rig| &rig.inputs));
+            }
+            Some(Dialog::SensorMode) => self.mode = Entries::default(),
+            _ => {}
         }
         self.dialog = dialog;
     }

@@ -13,7 +13,6 @@ mod context;
 mod copyable;
 mod dialog;
 mod import;
-mod known;
 mod learn;
 mod logic;
 mod menu_key;
@@ -21,6 +20,7 @@ mod navigation;
 mod notice;
 mod opening;
 mod platform;
+mod presets;
 mod report;
 mod rigs;
 mod saved;
@@ -40,6 +40,7 @@ use chart_picture::ChartPicture;
 use command::Command;
 pub use copyable::Copyable;
 use depth_jobs::Run;
+use depth_text::entry::Entries;
 use dialog::Dialog;
 use egui::Ui;
 use import::Import;
@@ -70,6 +71,8 @@ pub struct App {
     calculator: Calculator,
     rigs: Rigs,
     camera_facts: CameraFacts,
+    /// What is typed of another mode of a sensor.
+    mode: Entries,
     /// The dialog that opens calibration files, where it is open.
     import: Option<Import>,
     /// The number of the last work beside the window.
@@ -116,6 +119,7 @@ impl App {
             calculator: Calculator::default(),
             rigs: Rigs::default(),
             camera_facts: CameraFacts::default(),
+            mode: Entries::default(),
             import: None,
             last_run: 0,
             notice: None,

@@ -45,6 +45,12 @@ impl App {
                     self.say(NoticeText::RigRemoved(name), Some(Command::PutBackRig(at, Box::new(rig))));
                 }
             }
+            Command::ChangeRig(at, rig) => {
+                let name = rig.shown_name().to_owned();
+                let before = self.settings.rigs.replace(at, *rig);
+                let undo = before.map(|before| Command::ChangeRig(at, Box::new(before)));
+                self.say(NoticeText::RigChanged(name), undo);
+            }
             Command::PutBackRig(at, rig) => self.settings.rigs.put_back(at, *rig),
             Command::ExportRigs => match self.settings.rigs.to_file() {
                 Ok(json) => self.platform.save_file(ctx, rigs::FILE_NAME, FileContents::Data(json)),

@@ -5,16 +5,17 @@ use super::context::AppContext;
 use super::dialog::{DialogFrame, close_button_ui};
 use super::rigs::{MODE_KEYS, OtherMode, Rig, number, other_mode};
 use super::theme;
-use super::widgets::field::Field;
+use super::widgets::field::{self, Field};
 use super::widgets::{main_button, pairs, scroll, text};
+use depth_text::entry::Entries;
 use depth_text::field::Key;
-use egui::{Id, Ui, vec2};
+use egui::{Ui, vec2};
 
 const LEAD: &str = "Resizing and binning scale fx, fy, cx, cy and doffs: 2 × 2 binning is half of the width. Cropping moves cx and cy, and changes no \
                     focal length. Neither changes the baseline. Some modes do both: first one, then the other.";
 
 /// Draws the dialog for the rig that is shown.
-pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
+pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, typed: &mut Entries) {
     let Some(rig) = cx.settings.rigs.shown() else {
         cx.commands.push(Command::ShowDialog(None));
         return;
@@ -22,17 +23,17 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let frame = DialogFrame {
         id: "sensor mode",
         title: "Another mode of the sensor",
-        max_width: theme::KNOWN_WIDTH,
+        max_width: theme::PRESETS_WIDTH,
     };
     let before = rig.clone();
-    let other = other_mode(&before, &cx.settings.entries);
+    let other = other_mode(&before, typed);
     let response = frame.ui(ui, |ui| {
         ui.spacing_mut().interact_size.y = cx.layout.control_height();
         let height = ui.ctx().content_rect().height() - theme::HELPER_FRAME_HEIGHT;
         scroll::up_to_ui(ui, height, |ui| {
             text::paragraph_ui(ui, LEAD);
             ui.add_space(theme::STEP);
-            pairs::ui(ui, &MODE_KEYS, |ui, key| field_ui(ui, cx, &other, key));
+            pairs::ui(ui, &MODE_KEYS, |ui, key| field_ui(ui, cx, typed, (&other, key)));
             let words = match &other.rig {
                 Ok(after) => changes(&before, after),
                 Err(problem) => problem.sentence().to_owned(),
@@ -59,19 +60,32 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     }
 }
 
-fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, other: &OtherMode, key: Key) {
+fn field_ui(ui: &mut Ui, cx: &mut AppContext<'_>, typed: &mut Entries, (other, key): (&OtherMode, Key)) {
     let field = Field {
         key,
         reading: other.readings.iter().find(|reading| reading.key == key),
         notes: other.notes.iter().filter(|note| note.key == key).collect(),
         with_sigma: false,
         helper: None,
-        id: Id::unique(("sensor mode", key.as_str())),
+        id: field::id(key),
         submits: false,
         following: None,
-        entry: cx.settings.entries.entry_mut(key),
+        entry: typed.entry_mut(key),
     };
-    field.ui(ui, cx.commands);
+    let mut commands = Vec::new();
+    field.ui(ui, &mut commands);
+    for command in commands {
+        match command {
+            // What a note offers is of this dialog.
+            Command::Fix(key, entry) => {
+                typed.fill(key, entry);
+                typed.entry_mut(key).tidy(key);
+                ui.memory_mut(|memory| memory.request_focus(field::id(key)));
+            }
+            Command::Settle => {}
+            other => cx.commands.push(other),
+        }
+    }
 }
 
 /// "fx: 631.343 → 378.806 px; cx: …"

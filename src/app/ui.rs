@@ -10,7 +10,7 @@ use super::rigs::Rigs;
 use super::saved::Screen;
 use super::theme::{self, Layout};
 use super::widgets::bottom_bar::BottomBar;
-use super::{about, import, known, learn, navigation, sensor_mode, shortcuts};
+use super::{about, import, learn, navigation, presets, sensor_mode, shortcuts};
 use egui::accesskit::Role;
 use egui::{Align, CentralPanel, Frame, Margin, Panel, Stroke, Ui, UiBuilder};
 
@@ -47,9 +47,9 @@ impl App {
         match self.dialog {
             Some(Dialog::Keys) => shortcuts::ui(ui, cx),
             Some(Dialog::About) => about::ui(ui, cx),
-            Some(Dialog::KnownCameras(destination)) => known::cameras_ui(ui, cx, destination),
+            Some(Dialog::Presets(destination)) => presets::cameras_ui(ui, cx, destination),
             Some(Dialog::CameraFacts(destination)) => self.camera_facts.ui(ui, cx, destination),
-            Some(Dialog::SensorMode) => sensor_mode::ui(ui, cx),
+            Some(Dialog::SensorMode) => sensor_mode::ui(ui, cx, &mut self.mode),
             None => {}
         }
         match &self.chart_picture {

@@ -92,6 +92,88 @@ fn what_is_stated_of_a_camera_says_everything_else() {
 }
 
 #[test]
+fn what_comes_from_a_data_sheet_takes_the_place_of_an_older_fy_and_of_a_lens() {
+    let mut program = Program::new();
+    program.radio("Measured: Height");
+    program.type_into("Focal length along the columns (fy)", "900");
+    program.press("From lens, FOV or Q…");
+    program.press("Camera facts…");
+    for (field, text) in [
+        ("Width of the image", "1000"),
+        ("Height of the image", "800"),
+        ("Focal length of the lens", "50"),
+        ("In focus at", "0.55"),
+        ("Pixel pitch", "5"),
+    ] {
+        program.type_into(field, text);
+    }
+    // The image is sharp 55 mm behind the lens.
+    program.press("Use fx = 11\u{2009}000.0 px");
+    assert_eq!(program.value("Focal length along the columns (fy)"), "");
+    assert!(
+        !program.has_input("Lens that fx came from"),
+        "the whole distance to the image is in fx"
+    );
+}
+
+#[test]
+fn what_follows_leads_back_also_under_water() {
+    let mut program = Program::new();
+    program.press("From lens, FOV or Q…");
+    program.press("Camera facts…");
+    program.type_into("Width of the image", "1280");
+    program.type_into("Height of the image", "720");
+    program.type_into("Horizontal field of view", "90");
+    program.press("Where the camera is: Under water");
+    let placeholder = |program: &Program, name: &str| {
+        let field = program.harness.get_by_label(name);
+        let node = egui_kittest::kittest::NodeT::accesskit_node(&field).data().clone();
+        node.placeholder().map(str::to_owned)
+    };
+    assert_eq!(placeholder(&program, "Focal length fx").as_deref(), Some("640"));
+    program.type_into("Focal length fx", "640");
+    assert!(!program.says("exclude one another"), "{}", program.text());
+    program.press("Use fx = 853.120 px");
+}
+
+#[test]
+fn escape_closes_each_dialog_and_a_search_is_forgotten() {
+    let mut program = Program::new();
+    let opens: [&[&str]; 3] = [
+        &["Known sizes…"],
+        &["From lens, FOV or Q…", "Known cameras…"],
+        &["From lens, FOV or Q…", "Camera facts…"],
+    ];
+    for path in opens {
+        for _ in 0..2 {
+            path.iter().for_each(|name| program.press(name));
+            assert!(program.harness.query_by_role(egui::accesskit::Role::Dialog).is_some(), "{path:?}");
+            for search in ["Search the known sizes", "Search the known cameras"] {
+                if program.harness.query_by_label(search).is_some() {
+                    assert_eq!(program.value(search), "");
+                    assert_eq!(program.focused(), search);
+                    program.type_into(search, "zed");
+                }
+            }
+            program.harness.key_press(egui::Key::Escape);
+            program.harness.run();
+            program.harness.run_steps(2);
+            assert!(program.harness.query_by_role(egui::accesskit::Role::Dialog).is_none(), "{path:?}");
+        }
+    }
+}
+
+#[test]
+fn a_correction_in_a_dialog_leads_back_to_its_field() {
+    let mut program = Program::new();
+    program.press("From lens, FOV or Q…");
+    program.press("Camera facts…");
+    program.type_into("Horizontal field of view", "1.2");
+    program.press("Use 1.2 rad");
+    assert_eq!(program.focused(), "Horizontal field of view");
+}
+
+#[test]
 fn a_lens_goes_with_the_focal_length_that_came_from_it() {
     let mut program = Program::new();
     program.press("From lens, FOV or Q…");
@@ -126,6 +208,12 @@ fn a_rig_says_what_its_focal_length_sees_and_takes_what_a_data_sheet_states() {
     program.press("Use fx = 623.538 px");
     assert_eq!(program.value(FX), "623.538290725");
     assert_eq!(program.value("Source"), "Vertical field of view 60°");
+    program.press("Undo");
+    assert_eq!((program.value(FX), program.value("Source")), ("640".to_owned(), String::new()));
+    program.press("Calculator");
+    program.press("From lens, FOV or Q…");
+    program.press("Camera facts…");
+    assert_eq!(program.value("Vertical field of view"), "", "that of a rig is its own");
 }
 
 #[test]
@@ -140,7 +228,7 @@ fn another_mode_of_the_sensor_stands_beside_the_first() {
         program.type_into(field, text);
     }
     program.press("Another mode…");
-    program.type_into("Width after resizing, before any crop", "768");
+    program.type_into("Width after resizing or binning", "768");
     program.type_into("Width of the part that is kept", "800");
     assert!(program.says("The part that is kept reaches out of the image"), "{}", program.text());
     program.type_into("Width of the part that is kept", "640");

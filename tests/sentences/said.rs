@@ -1,7 +1,6 @@
 //! What is said about the cases of a file.
 
 use crate::case::{Case, cases};
-use depth_calculator::core::camera::Projection;
 use depth_calculator::core::problem::{Field, Method, Problem};
 use depth_calculator::core::quantity::LengthUnit;
 use depth_text::camera_sheet::CameraSheet;
@@ -76,7 +75,7 @@ impl Said {
     fn camera(&mut self, case: &Case<'_>) {
         let sheet = CameraSheet {
             entries: case.entries(),
-            projection: Projection::ALL.iter().position(|one| one.name() == case.how).unwrap_or_default(),
+            projection: case.how.to_owned(),
             is_under_water: case.how == "under water",
         };
         let solved = sheet.solve();

@@ -184,6 +184,10 @@ fn what_was_cut_or_turned_or_does_not_fit_is_said_of_a_sensor() {
     let short = Sensor { height: None, ..other };
     assert_eq!(with([1600.0, 1200.0], short), Err(CameraProblem::ShortDiagonal));
     assert_eq!(with([1600.0, 1200.0], Sensor::default()), Err(CameraProblem::NoPitch(0)));
+    // A lens beside something else says how large a pixel is.
+    let both = stated([1280.0, 720.0], &[Fact::Fx(Pixels::new(1000.0)), lens]).solve().unwrap();
+    assert!((both.pitch.unwrap().m() - 8e-6).abs() < 1e-18 && both.fx.px() == 1000.0);
+    assert!((both.sensor[0].unwrap().m() - 0.01024).abs() < 1e-15, "{both:?}");
 }
 
 proptest! {

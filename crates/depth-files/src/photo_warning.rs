@@ -110,34 +110,19 @@ impl fmt::Display for PhotoWarning {
             }
             Self::FilmExtents { size, ratio } => write!(
                 f,
-                "A 35 mm equivalent is counted by the diagonal (CIPA) or by the width, and EXIF does not say which: at {} the focal lengths differ \
-                 by {:.1} %. The one by the diagonal is trusted more.",
+                "A 35 mm equivalent is counted by the diagonal (CIPA) or by the width, and EXIF does not say which: at {} fx by the diagonal is {:.1} % \
+                 {}. It is trusted more.",
                 sides(*size),
-                100.0 * (ratio - 1.0)
+                100.0 * (ratio - 1.0).abs(),
+                if *ratio > 1.0 { "larger" } else { "smaller" }
             ),
-            Self::DigitalZoom { .. } => self.zoom(f),
-            _ => self.of_size(f),
+            Self::DigitalZoom { ratio, is_applied } => zoom(f, *ratio, *is_applied),
+            Self::Resized { .. } | Self::Cropped { .. } | Self::Turned { .. } | Self::Near { .. } | Self::Wide { .. } => self.of_size(f),
         }
     }
 }
 
 impl PhotoWarning {
-    fn zoom(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self::DigitalZoom { ratio, is_applied } = self else {
-            return Ok(());
-        };
-        let ratio = brief(*ratio);
-        if *is_applied {
-            write!(f, "DigitalZoomRatio is {ratio}: fx by FocalPlaneXResolution is multiplied by it. ")?;
-        } else {
-            write!(f, "DigitalZoomRatio is {ratio}. ")?;
-        }
-        write!(
-            f,
-            "The 35 mm equivalent is taken as it is, as most cameras write it with the zoom in it: where it is not, fx by it is {ratio} times as large."
-        )
-    }
-
     fn of_size(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Resized { taken, now } => {
@@ -179,6 +164,20 @@ impl PhotoWarning {
             _ => Ok(()),
         }
     }
+}
+
+fn zoom(f: &mut fmt::Formatter<'_>, ratio: f64, is_applied: bool) -> fmt::Result {
+    let ratio = brief(ratio);
+    let applied = if is_applied {
+        ": fx by FocalPlaneXResolution is multiplied by it"
+    } else {
+        ""
+    };
+    write!(
+        f,
+        "DigitalZoomRatio is {ratio}{applied}. The 35 mm equivalent is taken as it is, as most cameras write it with the zoom in it: where it is not, \
+         fx by it is {ratio} times as large."
+    )
 }
 
 fn sides([width, height]: [u32; 2]) -> String {

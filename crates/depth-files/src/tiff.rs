@@ -36,7 +36,18 @@ const MOST_LETTERS: usize = 64;
 #[derive(Clone, Copy)]
 pub(crate) struct Directory(usize);
 
-/// The type of a value, how many there are of it, and where it stands, or where it stands is written.
+/// Bytes of a value of this type; `None` of one that there is not.
+const fn bytes_of(kind: u16) -> Option<usize> {
+    match kind {
+        1 | 2 | 6 | 7 => Some(1),
+        3 | 8 => Some(2),
+        4 | 9 | 11 => Some(4),
+        5 | 10 | 12 => Some(8),
+        _ => None,
+    }
+}
+
+/// The type of a value, how many there are of it, and where the first stands.
 struct Entry {
     kind: u16,
     count: usize,
@@ -75,13 +86,9 @@ impl<'a> Tiff<'a> {
             1 => (f64::from(*self.bytes.get(at)?), 1.0),
             3 => (f64::from(self.u16(at)?), 1.0),
             4 => (f64::from(self.u32(at)?), 1.0),
-            5 => {
-                let at = self.offset(at)?;
-                (f64::from(self.u32(at)?), f64::from(self.u32(at.checked_add(4)?)?))
-            }
+            5 => (f64::from(self.u32(at)?), f64::from(self.u32(at.checked_add(4)?)?)),
             9 => (f64::from(self.u32(at)?.cast_signed()), 1.0),
             10 => {
-                let at = self.offset(at)?;
                 let signed = |at| Some(f64::from(self.u32(at)?.cast_signed()));
                 (signed(at)?, signed(at.checked_add(4)?)?)
             }
@@ -92,8 +99,9 @@ impl<'a> Tiff<'a> {
 
     /// The number of `tag` where it is a whole one.
     pub(crate) fn whole(&self, directory: Directory, tag: u16) -> Option<u32> {
-        let Entry { kind, at, .. } = self.entry(directory, tag)?;
+        let Entry { kind, count, at } = self.entry(directory, tag)?;
         match kind {
+            _ if count == 0 => None,
             3 => self.u16(at).map(u32::from),
             4 => self.u32(at),
             _ => None,
@@ -105,7 +113,6 @@ impl<'a> Tiff<'a> {
         let Entry { kind: 2, count, at } = self.entry(directory, tag)? else {
             return None;
         };
-        let at = if count <= 4 { at } else { self.offset(at)? };
         let bytes = self.bytes.get(at..at.checked_add(count)?)?;
         let bytes = bytes.split(|byte| *byte == 0).next()?;
         let text = String::from_utf8_lossy(bytes.get(..MOST_LETTERS).unwrap_or(bytes));
@@ -118,11 +125,13 @@ impl<'a> Tiff<'a> {
         let count = usize::from(self.u16(begin)?).min(MOST_ENTRIES);
         let mut places = (0..count).map_while(|number| begin.checked_add(2 + 12 * number));
         let place = places.find(|at| self.u16(*at) == Some(tag))?;
-        Some(Entry {
-            kind: self.u16(place.checked_add(2)?)?,
-            count: self.offset(place.checked_add(4)?)?,
-            at: place.checked_add(8)?,
-        })
+        let kind = self.u16(place.checked_add(2)?)?;
+        let count = self.offset(place.checked_add(4)?)?;
+        let at = place.checked_add(8)?;
+        let bytes = count.checked_mul(bytes_of(kind)?)?;
+        // What is longer than its place stands elsewhere, and its place says where.
+        let at = if bytes <= 4 { at } else { self.offset(at)? };
+        Some(Entry { kind, count, at })
     }
 
     fn u16(&self, at: usize) -> Option<u16> {

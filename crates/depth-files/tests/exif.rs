@@ -59,7 +59,7 @@ fn an_equivalent_on_film_is_two_focal_lengths_at_4_to_3_and_one_at_3_to_2() {
     assert_eq!((fy, cx, cy), (one.cameras[0].fx.px(), 2016.0, 1512.0));
     assert_eq!((one.cameras[0].size, one.cameras[0].basis), (Some([4032, 3024]), Basis::Raw));
     assert!(
-        said(&one).contains("at 4032 × 3024 the focal lengths differ by 4.0 %"),
+        said(&one).contains("at 4032 × 3024 fx by the diagonal is 4.0 % larger"),
         "{}",
         said(&one)
     );

@@ -6,7 +6,7 @@ use crate::fields::{
     CAMERA_FX, CAMERA_FY, DIAGONAL_VIEW, FILM_DIAGONAL, FILM_WIDTH, FOCUSED_AT, FRAME_HEIGHT, FRAME_WIDTH, HORIZONTAL_VIEW, LENS, P00, P11,
     PIXEL_PITCH, SENSOR_DIAGONAL, SENSOR_HEIGHT, SENSOR_WIDTH, VERTICAL_VIEW,
 };
-use crate::note::{Issue, Note, Severity};
+use crate::note::{Note, Severity};
 use crate::number::{Notation, with_minus};
 use crate::reading::{self, Reading};
 use crate::sentences::CameraWords;
@@ -23,8 +23,8 @@ use serde::{Deserialize, Serialize};
 pub struct CameraSheet {
     /// What is in its fields.
     pub entries: Entries,
-    /// The place of how its lens projects, among [`Projection::ALL`].
-    pub projection: usize,
+    /// The name of how its lens projects; a pinhole where it is none.
+    pub projection: String,
     /// Whether it is under water, and the facts hold in air.
     pub is_under_water: bool,
 }
@@ -38,6 +38,8 @@ pub struct SolvedSheet {
     pub notes: Vec<Note>,
     /// What follows from all of them; `None` where something is missing or wrong.
     pub answer: Option<CameraAnswer>,
+    /// The same in air, where the facts hold.
+    pub in_air: Option<CameraAnswer>,
     /// What is to be said of them together.
     pub said: Vec<(Severity, String)>,
 }
@@ -58,7 +60,8 @@ impl CameraSheet {
 
     /// How its lens projects.
     pub fn projection(&self) -> Projection {
-        Projection::ALL.get(self.projection).copied().unwrap_or_default()
+        let all = Projection::ALL.into_iter();
+        all.into_iter().find(|one| one.name() == self.projection).unwrap_or_default()
     }
 
     /// Reads it, and works everything out.
@@ -78,17 +81,24 @@ impl CameraSheet {
             ..self.circumstances(&solved)
         };
         let (answer, said) = self.answer(&facts, &solved, &stated);
-        SolvedSheet { answer, said, ..solved }
+        let dry = CameraFacts {
+            is_under_water: false,
+            ..facts
+        };
+        SolvedSheet {
+            in_air: dry.solve().ok(),
+            answer,
+            said,
+            ..solved
+        }
     }
 
     /// Reads its fields.
     fn read(&self) -> SolvedSheet {
         let mut solved = SolvedSheet::default();
         for &key in Self::GROUPS.iter().flat_map(|(_, keys)| *keys) {
-            match reading::read(key, self.entries.entry(key)) {
+            match reading::read_positive(key, self.entries.entry(key)) {
                 Ok(Some(reading)) if may_be_radians(&reading) => solved.notes.push(degrees_or_radians(&reading)),
-                Ok(Some(reading)) if reading.value == 0.0 => solved.notes.push(Note::error(key, Issue::Zero { key })),
-                Ok(Some(reading)) if reading.value < 0.0 => solved.notes.push(Note::error(key, Issue::Negative { key })),
                 Ok(reading) => solved.readings.extend(reading),
                 Err(note) => solved.notes.push(note),
             }
@@ -129,8 +139,8 @@ impl CameraSheet {
             sensor: "the pixel pitch, or a side or the diagonal of the sensor",
             focus: "The distance in focus",
             diagonal: "The diagonal of the sensor",
-            projection: "With such a lens chosen below",
-            dry: "switch “under water” off",
+            projection: "With a fisheye chosen",
+            dry: "choose “In air”",
             facts: "a focal length, a field of view, a 35 mm equivalent, or a lens with its sensor",
         };
         match facts.solve() {
@@ -182,23 +192,24 @@ impl SolvedSheet {
         all.join(", ")
     }
 
-    /// Whether nothing but the lens says the focal length.
+    /// Whether nothing but the lens says the focal length, so that distances count from it: the lens is added to them.
     pub fn is_of_lens(&self) -> bool {
         let mut facts = self.readings.iter().filter(|reading| fact(reading).is_some()).peekable();
-        facts.peek().is_some() && facts.all(|reading| reading.key == LENS)
+        // What is in focus near has the whole distance to the image in fx.
+        facts.peek().is_some() && facts.all(|reading| reading.key == LENS) && self.reading(FOCUSED_AT).is_none()
     }
 
     fn value(&self, key: Key) -> Option<f64> {
         self.reading(key).map(|reading| reading.value)
     }
 
-    /// What the field `key` would be, as a number in its own unit; `None` where that does not follow.
+    /// What the field `key` would be in air, as a number in its own unit; `None` where that does not follow.
     pub fn following(&self, key: Key) -> Option<String> {
-        let answer = self.answer.as_ref()?;
-        let [width, height] = [FRAME_WIDTH, FRAME_HEIGHT].map(|key| self.value(key));
-        let over = |pixels: Option<f64>| Some(answer.pitch?.m() * pixels?);
+        let answer = self.in_air.as_ref()?;
         let [across, down, diagonal] = answer.views.map(|view| view.map(Angle::radians));
         let [by_diagonal, by_width] = answer.film.map(|lens| lens.map(Length::m));
+        let [width, height, corners] = answer.sensor.map(|side| side.map(Length::m));
+        let [p00, p11] = answer.multiples.map(Some);
         let all = [
             (CAMERA_FX, Some(answer.fx.px())),
             (CAMERA_FY, Some(answer.fy.px())),
@@ -209,10 +220,11 @@ impl SolvedSheet {
             (FILM_WIDTH, by_width),
             (LENS, answer.lens.map(Length::m)),
             (PIXEL_PITCH, answer.pitch.map(Length::m)),
-            (SENSOR_WIDTH, over(width)),
-            (SENSOR_HEIGHT, over(height)),
-            (P00, width.map(|width| 2.0 * answer.fx.px() / width)),
-            (P11, height.map(|height| 2.0 * answer.fy.px() / height)),
+            (SENSOR_WIDTH, width),
+            (SENSOR_HEIGHT, height),
+            (SENSOR_DIAGONAL, corners),
+            (P00, p00),
+            (P11, p11),
         ];
         let (_, value) = all.into_iter().find(|(one, _)| *one == key)?;
         let value = value.filter(|value| value.is_finite())?;

@@ -574,6 +574,12 @@ table! {
         ..PIXELS
     };
 
+    /// Width of an image in another mode of its sensor, before it is cropped.
+    MODE_WIDTH = FieldSpec {
+        key: "mode-width", name: "Width after resizing or binning", noun: "the width after resizing", examples: &["768"],
+        label: "Width after resizing", hint: "Before any crop; empty where only cropped",
+        ..PIXELS
+    };
     /// Width of the part of an image that is kept.
     CROP_WIDTH = FieldSpec {
         key: "crop-width", name: "Width of the part that is kept", noun: "the width of the part that is kept", examples: &["640"],
@@ -588,13 +594,13 @@ table! {
     };
     /// The column at which it begins.
     CROP_LEFT = FieldSpec {
-        key: "crop-left", name: "Columns cut at the left", noun: "the number of columns cut at the left", examples: &["64"], signed: true,
+        key: "crop-left", name: "Columns cut at the left", noun: "the number of columns cut at the left", examples: &["64"],
         label: "Cut at the left", hint: "Empty where it is the middle that is kept",
         ..PIXELS
     };
     /// The row at which it begins.
     CROP_TOP = FieldSpec {
-        key: "crop-top", name: "Rows cut at the top", noun: "the number of rows cut at the top", examples: &["0"], signed: true,
+        key: "crop-top", name: "Rows cut at the top", noun: "the number of rows cut at the top", examples: &["0"],
         label: "Cut at the top", hint: "Empty where it is the middle that is kept",
         ..PIXELS
     };

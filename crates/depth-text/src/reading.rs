@@ -171,6 +171,18 @@ pub fn read(key: Key, entry: &Entry) -> Result<Option<Reading>, Note> {
     }))
 }
 
+/// Reads the value in `entry` of a field that has to be above zero; `None` where nothing was typed.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn read_positive(key: Key, entry: &Entry) -> Result<Option<Reading>, Note> {
+    match read(key, entry)? {
+        Some(reading) if reading.value == 0.0 => Err(Note::error(key, Issue::Zero { key })),
+        Some(reading) if reading.value < 0.0 => Err(Note::error(key, Issue::Negative { key })),
+        reading => Ok(reading),
+    }
+}
+
 /// Reads the σ in `entry` of the field `key`; `None` where there is none, or where it is in % of a value
 /// that is not known.
 ///

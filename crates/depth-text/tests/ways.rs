@@ -283,7 +283,7 @@ fn a_stored_disparity_says_how_far_away_that_is() {
     assert!((distance("kinect1", &["800"], &with_doffs).unwrap() - 1.2).abs() < 1e-12);
     let also = Way::named(DISPARITIES, "kinect1").unwrap().also(&Entries::default());
     let also: Vec<_> = also.into_iter().map(|(key, entry)| format!("{} {}", key.key, entry.text)).collect();
-    assert_eq!(also, ["fx 580", "b 75", "doffs "]);
+    assert_eq!(also, ["fx 580", "b 75", "doffs ", "fy "]);
 }
 
 #[test]

@@ -24,8 +24,8 @@ pub use unknown::FIRST as FIRST_UNKNOWN;
 
 use super::command::Helper;
 use super::context::AppContext;
-use super::known;
 use super::navigation;
+use super::presets;
 use super::saved::{Settings, Ways};
 use super::session::Session;
 use super::theme::{self, Layout};
@@ -94,7 +94,7 @@ impl Calculator {
             self.columns_ui(ui, cx, gap);
         }
         match self.helper {
-            Some(Helper::Size) => known::sizes_ui(ui, cx),
+            Some(Helper::Size) => presets::sizes_ui(ui, cx),
             Some(helper) => helpers::ui(ui, cx, helper, &self.solved),
             None => {}
         }

@@ -64,6 +64,12 @@ impl RigList {
         }
     }
 
+    /// Puts `rig` in the place of the one at `at`, which is returned.
+    pub fn replace(&mut self, at: usize, rig: Rig) -> Option<Rig> {
+        self.moves += 1;
+        self.all.get_mut(at).map(|one| std::mem::replace(one, rig))
+    }
+
     /// Takes out the rig at `at`.
     pub fn remove(&mut self, at: usize) -> Option<Rig> {
         self.moves += 1;

@@ -158,7 +158,7 @@ fn buttons_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
             }
         };
         button_ui(Command::ShowImport, true);
-        button_ui(Command::ShowDialog(Some(Dialog::KnownCameras(Destination::Rig))), has_room);
+        button_ui(Command::ShowDialog(Some(Dialog::Presets(Destination::Rig))), has_room);
         button_ui(Command::AddRig(Box::default()), has_room);
         if has_rigs {
             button_ui(Command::ExportRigs, true);

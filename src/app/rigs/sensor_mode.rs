@@ -11,7 +11,7 @@ use depth_text::reading::{self, Reading};
 
 /// What is asked for.
 pub const KEYS: [Key; 5] = [
-    fields::WIDTH_AFTER,
+    fields::MODE_WIDTH,
     fields::CROP_WIDTH,
     fields::CROP_HEIGHT,
     fields::CROP_LEFT,
@@ -34,6 +34,8 @@ pub struct OtherMode {
 pub enum ModeProblem {
     /// The rig lacks the size of its image, or fx.
     NoCamera,
+    /// A field of the rig cannot be read.
+    Unreadable,
     /// Something is wrong with a field.
     SeeNotes,
     /// Nothing was asked for.
@@ -47,6 +49,7 @@ impl ModeProblem {
     pub const fn sentence(self) -> &'static str {
         match self {
             Self::NoCamera => "Fill in the width and the height of the image and fx of the rig first.",
+            Self::Unreadable => "A number of the rig cannot be read: correct it there first.",
             Self::SeeNotes => "",
             Self::Nothing => "Type the width after resizing, or the size of the part that is kept, or both.",
             Self::Outside => {
@@ -60,9 +63,11 @@ impl ModeProblem {
 pub fn other_mode(rig: &Rig, entries: &Entries) -> OtherMode {
     let (mut readings, mut notes) = (Vec::<Reading>::new(), Vec::new());
     for key in KEYS {
-        match reading::read(key, entries.entry(key)) {
-            Ok(Some(reading)) if reading.value < 0.0 => notes.push(Note::error(key, Issue::Negative { key })),
-            Ok(Some(reading)) if reading.value == 0.0 && !key.signed => notes.push(Note::error(key, Issue::Zero { key })),
+        let may_be_zero = [fields::CROP_LEFT, fields::CROP_TOP].contains(&key);
+        match reading::read_positive(key, entries.entry(key)) {
+            Err(note) if may_be_zero && note.issue == (Issue::Zero { key }) => {
+                readings.extend(reading::read(key, entries.entry(key)).ok().flatten());
+            }
             Ok(reading) => readings.extend(reading),
             Err(note) => notes.push(note),
         }
@@ -71,6 +76,12 @@ pub fn other_mode(rig: &Rig, entries: &Entries) -> OtherMode {
     let asked = KEYS.map(|key| value(key).map(Pixels::new));
     let rig = match intrinsics(rig) {
         _ if !notes.is_empty() => Err(ModeProblem::SeeNotes),
+        _ if Rig::KEYS
+            .into_iter()
+            .any(|key| reading::read_with_sigma(key, rig.inputs.entry(key)).is_err()) =>
+        {
+            Err(ModeProblem::Unreadable)
+        }
         None => Err(ModeProblem::NoCamera),
         Some(_) if asked.iter().all(Option::is_none) => Err(ModeProblem::Nothing),
         Some(before) => changed(before, asked)
@@ -190,7 +201,7 @@ mod tests {
             (fields::DOFFS, "10"),
             (fields::BASELINE, "49.864"),
         ]);
-        let mode = asked(&[(fields::WIDTH_AFTER, "768"), (fields::CROP_WIDTH, "640")]);
+        let mode = asked(&[(fields::MODE_WIDTH, "768"), (fields::CROP_WIDTH, "640")]);
         let other = other_mode(&full, &mode).rig.unwrap();
         let [width, height, fx, cx, cy, doffs, baseline] = numbers(
             &other,
@@ -223,7 +234,7 @@ mod tests {
             .rig
             .unwrap();
         assert_eq!(numbers(&cropped, [fields::FOCAL_LENGTH]), [700.0]);
-        let binned = other_mode(&full, &asked(&[(fields::WIDTH_AFTER, "640")])).rig.unwrap();
+        let binned = other_mode(&full, &asked(&[(fields::MODE_WIDTH, "640")])).rig.unwrap();
         assert_eq!(numbers(&binned, [fields::FOCAL_LENGTH, fields::FRAME_HEIGHT]), [350.0, 360.0]);
         assert_eq!(binned.inputs.entry(fields::FOCAL_LENGTH).sigma, "1");
         assert!(binned.inputs.entry(fields::CX).is_blank(), "what was not known is not made up");
@@ -243,7 +254,7 @@ mod tests {
             problem(&full, &[(fields::CROP_WIDTH, "640"), (fields::CROP_LEFT, "641")]),
             ModeProblem::Outside
         );
-        assert_eq!(problem(&full, &[(fields::WIDTH_AFTER, "0")]), ModeProblem::SeeNotes);
+        assert_eq!(problem(&full, &[(fields::MODE_WIDTH, "0")]), ModeProblem::SeeNotes);
         assert_eq!(problem(&full, &[(fields::CROP_TOP, "-1")]), ModeProblem::SeeNotes);
         assert_eq!(problem(&rig(&[(fields::FOCAL_LENGTH, "700")]), &[]), ModeProblem::NoCamera);
     }

@@ -33,6 +33,8 @@ pub enum NoticeText {
     FilledBySize { label: &'static str, source: &'static str },
     /// Rigs of a file were added, and so many found no room.
     RigsAdded { added: usize, left_out: usize },
+    /// Numbers of a rig were replaced.
+    RigChanged(String),
     /// A rig was removed.
     RigRemoved(String),
     /// A file of rigs cannot be read.
@@ -97,6 +99,7 @@ impl Display for NoticeText {
             Self::RigsAdded { added, left_out } => {
                 write!(f, "Rigs added: {added}. There was no room for {left_out} more: remove some first.")
             }
+            Self::RigChanged(name) => write!(f, "“{name}” was changed."),
             Self::RigRemoved(name) => write!(f, "“{name}” was removed."),
             Self::RigsNotRead { file } => write!(
                 f,
@@ -162,6 +165,7 @@ mod tests {
             NoticeText::FilledBySize { .. } => NoticeText::FilledBySize { label: "Bank or ID card, long side", source: "ISO/IEC 7810, ID-1" },
             NoticeText::RigsAdded { .. } => NoticeText::RigsAdded { added: 2, left_out: 0 },
             NoticeText::RigsNotRead { .. } => NoticeText::RigsNotRead { file: "rigs.json".to_owned() },
+            NoticeText::RigChanged(_) => NoticeText::RigChanged("Robot, front".to_owned()),
             NoticeText::RigRemoved(_) => NoticeText::RigRemoved("Robot, front".to_owned()),
             NoticeText::RigsNotSaved { .. } => NoticeText::RigsNotSaved { reason: "key must be a string".to_owned() },
             NoticeText::NotOpened(_) => NoticeText::NotOpened(PlatformError::FileTooLarge { file: "video.mp4".to_owned() }),

@@ -12,6 +12,8 @@ pub const GAP_WIDE: f32 = 6.0 * STEP;
 pub const GAP_PHONE: f32 = 3.0 * STEP;
 /// Above and below the contents of a column that scrolls.
 pub const SCREEN_TOP: f32 = 16.0;
+/// The lowest that a part of a dialog gets that scrolls: a field with its label and what is said of it.
+pub const SCROLL_LEAST: f32 = 112.0;
 /// What a bar takes that scrolls a column, at its right.
 pub const SCROLL_GUTTER: f32 = 10.0;
 /// The part of the middle column in what the form leaves on a wide screen.
@@ -369,9 +371,9 @@ pub mod paper {
 }
 
 /// The widest the dialogs with what everybody knows grow.
-pub const KNOWN_WIDTH: f32 = 560.0;
+pub const PRESETS_WIDTH: f32 = 560.0;
 /// What of the height of the window their lists do not get.
-pub const KNOWN_FRAME_HEIGHT: f32 = 250.0;
+pub const PRESETS_FRAME_HEIGHT: f32 = 250.0;
 /// The widest the dialog with the facts of a camera grows.
 pub const CAMERA_WIDTH: f32 = 640.0;
 /// What of the height of the window its fields do not get, beside what is said of them.

@@ -17,8 +17,9 @@ pub fn column_ui(ui: &mut Ui, id: &str, add_contents: impl FnOnce(&mut Ui)) {
     });
 }
 
-/// A scroll area at most `height` points high, which keeps the focused widget in view.
+/// A scroll area at most `height` points high, and not so low that nothing can be seen in it, which keeps the focused widget in view.
 pub fn up_to_ui<R>(ui: &mut Ui, height: f32, add_contents: impl FnOnce(&mut Ui) -> R) -> R {
+    let height = height.max(theme::SCROLL_LEAST);
     // A dialog is only as high as what it had to show before, and would grow from frame to frame.
     let area = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
     area.show(ui, |ui| {

@@ -8,7 +8,7 @@ use egui::text::{LayoutJob, TextFormat};
 use egui::{Id, Key, Modifiers, Rect, Response, Sense, Stroke, Ui, vec2};
 
 /// A row of the list.
-pub struct Found {
+pub struct Row {
     /// What it is called.
     pub title: String,
     /// What else is said of it, below.
@@ -17,7 +17,7 @@ pub struct Found {
     pub words: &'static str,
 }
 
-impl Found {
+impl Row {
     /// Whether each word of `typed` is in it.
     fn matches(&self, typed: &str) -> bool {
         let all = plain(&format!("{} {} {}", self.title, self.detail, self.words));
@@ -44,11 +44,15 @@ pub struct Search<'a> {
 
 impl Search<'_> {
     /// Draws the field and the rows that match it. Returns the place of the row that was chosen now, by a click or by Enter for the first.
-    pub fn ui(&self, ui: &mut Ui, rows: &[Found], commands: &mut Vec<Command>) -> Option<usize> {
+    pub fn ui(&self, ui: &mut Ui, rows: &[Row], commands: &mut Vec<Command>) -> Option<usize> {
         let id = Id::unique(("search", self.id));
-        let last: Option<String> = ui.data(|data| data.get_temp(id));
+        let frame = ui.ctx().cumulative_frame_nr();
+        // What was typed is forgotten with the dialog, however it was closed.
+        let last = ui
+            .data(|data| data.get_temp::<(u64, String)>(id))
+            .filter(|(last, _)| frame <= last + 1);
         let is_new = last.is_none();
-        let mut typed = last.unwrap_or_default();
+        let mut typed = last.map(|(_, typed)| typed).unwrap_or_default();
         let field = self.field_ui(ui, &mut typed, id);
         text_menu::ui(&field, &mut typed, commands);
         if is_new && self.takes_focus {
@@ -57,7 +61,7 @@ impl Search<'_> {
         let matching: Vec<usize> = (0..).zip(rows).filter(|(_, row)| row.matches(&typed)).map(|(at, _)| at).collect();
         let takes_enter = field.has_focus() || field.lost_focus();
         let is_entered = takes_enter && !typed.trim().is_empty() && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter));
-        ui.data_mut(|data| data.insert_temp(id, typed));
+        ui.data_mut(|data| data.insert_temp(id, (frame, typed)));
         let count = match matching.len() {
             0 => format!("None of {} has all these words.", rows.len()),
             count => format!("{count} of {}", rows.len()),
@@ -78,11 +82,6 @@ impl Search<'_> {
         chosen
     }
 
-    /// Forgets what was typed: the dialog closes.
-    pub fn close(&self, ui: &Ui) {
-        ui.data_mut(|data| data.remove_temp::<String>(Id::unique(("search", self.id))));
-    }
-
     fn field_ui(&self, ui: &mut Ui, typed: &mut String, id: Id) -> Response {
         let height = ui.spacing().interact_size.y;
         let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
@@ -97,7 +96,7 @@ impl Search<'_> {
 }
 
 /// A row: a button over the full width.
-fn row_ui(ui: &mut Ui, row: &Found, id: Id) -> Response {
+fn row_ui(ui: &mut Ui, row: &Row, id: Id) -> Response {
     let palette = theme::palette(ui);
     let width = ui.available_width();
     let mut job = LayoutJob::default();
@@ -127,11 +126,11 @@ fn row_ui(ui: &mut Ui, row: &Found, id: Id) -> Response {
 
 #[cfg(test)]
 mod tests {
-    use super::Found;
+    use super::Row;
 
     #[test]
     fn what_is_typed_finds_by_words_in_any_order_and_sizes_in_any_spelling() {
-        let row = Found {
+        let row = Row {
             title: "RealSense D435i, 640 × 480 px".to_owned(),
             detail: "378.806 px, 49.864 mm. One unit".to_owned(),
             words: "realsense-d435i",

@@ -21,7 +21,7 @@ pub enum Fact {
     VerticalView(Angle),
     /// From corner to corner.
     DiagonalView(Angle),
-    /// The focal length of the lens. Says the other only with the size of a pixel.
+    /// The focal length of the lens. Says the other only with the size of a pixel, and that size where another fact says the other.
     Lens(Length),
     /// The equivalent lens for 35 mm film.
     Film(FilmExtent, Length),
@@ -48,7 +48,8 @@ pub struct CameraFacts {
     pub is_under_water: bool,
 }
 
-/// Everything that follows.
+/// Everything that follows: under water focal lengths, views and multiples are those in the water, the lens, the sensor and the equivalents
+/// those in air.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CameraAnswer {
     /// Along the rows.
@@ -63,6 +64,10 @@ pub struct CameraAnswer {
     pub views: [Option<Angle>; 3],
     /// The equivalent lens for 35 mm film, by the diagonal and by the width; `None` of a fisheye.
     pub film: [Option<Length>; 2],
+    /// Width, height and diagonal of the part of the sensor that the image shows; `None` where the size of a pixel is not known.
+    pub sensor: [Option<Length>; 3],
+    /// P00 and P11 of an OpenGL projection matrix, 2·fx/W and 2·fy/H.
+    pub multiples: [f64; 2],
     /// What has to be known before it is used.
     pub remarks: Vec<CameraRemark>,
 }
@@ -138,6 +143,10 @@ impl Fact {
         }
     }
 
+    const fn is_lens(self) -> bool {
+        matches!(self, Self::Lens(_))
+    }
+
     /// Whether it says fy and nothing else.
     const fn is_of_fy(self) -> bool {
         matches!(self, Self::Fy(_) | Self::P11(_))
@@ -177,17 +186,25 @@ impl CameraFacts {
     pub fn solve(&self) -> Result<CameraAnswer, CameraProblem> {
         let (pitch, of_sensor) = self.sensor.pitch(self.size).map_err(|_| CameraProblem::ShortDiagonal)?;
         let mut remarks: Vec<CameraRemark> = of_sensor.into_iter().map(CameraRemark::Sensor).collect();
+        // Where something else says the focal length, a lens without the size of a pixel says that size.
+        let says_pitch = |fact: Fact| pitch.is_none() && matches!(fact, Fact::Lens(_)) && self.facts.iter().any(|other| !other.is_lens());
         let said = (0..)
             .zip(&self.facts)
+            .filter(|(_, fact)| !says_pitch(**fact))
             .map(|(at, &fact)| {
                 let focal_length = self.focal_length((at, fact), pitch)?;
                 Ok(Said { at, fact, focal_length })
             })
             .collect::<Result<Vec<Said>, CameraProblem>>()?;
         let [fx, fy] = followed(&said, &mut remarks).ok_or(CameraProblem::NothingStated)?;
+        let pitch = match self.facts.iter().copied().find(|fact| says_pitch(*fact)) {
+            Some(Fact::Lens(lens)) => Some(Length::from_m(self.image_distance(lens)?.m() / fx.px())),
+            _ => pitch,
+        };
         remarks.extend(self.wide());
         let lens = pitch.map(|pitch| Length::from_m(fx.px() * pitch.m()));
         let lens = lens.and_then(|image| self.focused_at.map_or(Some(image), |distance| focused_lens(image, distance)));
+        let [width, height] = self.size;
         let is_pinhole = self.projection == Projection::Pinhole;
         let film = [FilmExtent::Diagonal, FilmExtent::Width].map(|extent| extent.equivalent(fx, self.size).filter(|_| is_pinhole));
         let [fx, fy] = if self.is_under_water {
@@ -203,8 +220,18 @@ impl CameraFacts {
             lens: lens.filter(|lens| judge::positive(lens.m()).is_ok()),
             views: self.views([fx, fy]),
             film,
+            sensor: [width, height, diagonal(width, height)].map(|side| Some(Length::from_m(pitch?.m() * side.px()))),
+            multiples: [2.0 * fx.px() / width.px(), 2.0 * fy.px() / height.px()],
             remarks,
         })
+    }
+
+    /// How far behind the lens the image is sharp.
+    fn image_distance(&self, lens: Length) -> Result<Length, CameraProblem> {
+        match self.focused_at {
+            None => Ok(lens),
+            Some(distance) => focused_image_distance(lens, distance).ok_or(CameraProblem::FocusTooNear),
+        }
     }
 
     /// What the fact at a place says.
@@ -220,11 +247,7 @@ impl CameraFacts {
             Fact::Film(extent, equivalent) => extent.focal_length(equivalent, self.size),
             Fact::Lens(lens) => {
                 let pitch = pitch.ok_or(CameraProblem::NoPitch(at))?;
-                let image = match self.focused_at {
-                    None => lens,
-                    Some(distance) => focused_image_distance(lens, distance).ok_or(CameraProblem::FocusTooNear)?,
-                };
-                focal_length_from_pixel_pitch(image, pitch)
+                focal_length_from_pixel_pitch(self.image_distance(lens)?, pitch)
             }
             Fact::HorizontalView(_) | Fact::VerticalView(_) | Fact::DiagonalView(_) => None,
         };

@@ -6,12 +6,13 @@
 #[derive(Clone)]
 pub enum Value {
     Short(u16),
+    Shorts(Vec<u16>),
     Long(u32),
     Rational(u32, u32),
     Text(&'static str),
 }
 
-use Value::{Long, Rational, Short, Text};
+use Value::{Long, Rational, Short, Shorts, Text};
 
 /// A photograph, with what its EXIF says.
 #[derive(Clone)]
@@ -107,6 +108,7 @@ impl Photo {
         for (tag, value) in entries {
             let (kind, count, value) = match value {
                 Short(value) => (3, 1, self.u16(*value).to_vec()),
+                Shorts(values) => (3, values.len(), values.iter().flat_map(|value| self.u16(*value)).collect()),
                 Long(value) => (4, 1, self.u32(*value).to_vec()),
                 Rational(n, d) => (5, 1, [self.u32(*n), self.u32(*d)].concat()),
                 Text(text) => (2, text.len() + 1, [text.as_bytes(), b"\0"].concat()),

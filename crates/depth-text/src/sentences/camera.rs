@@ -65,7 +65,7 @@ impl CameraWords<'_> {
                     .map(|(projection, f)| format!("{} {} px", projection.name(), number(f.px())))
                     .collect();
                 format!(
-                    "A view of {}° is rarely that of a pinhole: of a fisheye lens the focal length cannot be had from its angle this way. {} it would be: {}.",
+                    "A view of {}° is rarely that of a pinhole, and a fisheye has another focal length for the same view. {} it would be: {}.",
                     number(view.degrees()),
                     self.projection,
                     others.join(", ")

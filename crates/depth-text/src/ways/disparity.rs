@@ -199,7 +199,7 @@ fn depth_ai(of: Values<'_>) -> Result<Stored, NotStored> {
 }
 
 fn fraction(of: Values<'_>) -> Result<Stored, NotStored> {
-    let image_width = Pixels::new(needed(of, FRAME_WIDTH)?);
+    let image_width = Pixels::new(positive(needed(of, FRAME_WIDTH)?, FRAME_WIDTH)?);
     Ok(Stored::Disparity(Encoding::FractionOfWidth { image_width }))
 }
 

@@ -244,6 +244,7 @@ impl Way {
             (FOCAL_LENGTH, Entry::new(plain(focal_length.px()), None)),
             (BASELINE, Entry::new(plain(baseline.in_unit(unit)), Some(unit))),
             (DOFFS, Entry::default()),
+            (fields::FY, Entry::default()),
         ]
     }
 

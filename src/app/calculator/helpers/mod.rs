@@ -90,7 +90,7 @@ pub fn ui(ui: &mut Ui, cx: &mut AppContext<'_>, helper: Helper, solved: &Solved)
 /// The ways from here to a calibration file and to a known camera, which have the baseline too, and to all facts of a camera.
 fn other_ways_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
     let dialogs = [
-        Dialog::KnownCameras(Destination::Calculator),
+        Dialog::Presets(Destination::Calculator),
         Dialog::CameraFacts(Destination::Calculator),
     ];
     let dialogs = dialogs.map(|dialog| Command::ShowDialog(Some(dialog)));
@@ -145,7 +145,8 @@ impl Solved {
             way: way.map_or("", |way| way.key),
             result: way.map(|way| way.solve(&settings.entries, form)).unwrap_or_default(),
             square: reading::read(fields::SQUARE_SIZE, settings.entries.entry(fields::SQUARE_SIZE)).transpose(),
-            q_matrix: (way.is_none() && !matrix.is_blank()).then(|| depth_text::q_matrix::read(&matrix.text)),
+            q_matrix: (helper == Helper::FocalLength && way.is_none() && !matrix.is_blank())
+                .then(|| depth_text::q_matrix::read(&matrix.text)),
         }
     }
 

@@ -5,7 +5,7 @@ use super::context::AppContext;
 use super::dialog::{Destination, DialogFrame, close_button_ui};
 use super::rigs::{Rig, number};
 use super::theme;
-use super::widgets::search::{Found, Search};
+use super::widgets::search::{Row, Search};
 use crate::core::quantity::Length;
 use depth_presets::{Mode, PRESETS, Preset, SIZES, Size};
 use depth_text::sentences::capital;
@@ -17,7 +17,7 @@ pub fn cameras_ui(ui: &mut Ui, cx: &mut AppContext<'_>, destination: Destination
         .iter()
         .flat_map(|preset| preset.modes.iter().map(move |mode| (preset, mode)))
         .collect();
-    let rows: Vec<Found> = all.iter().map(|(preset, mode)| camera(preset, mode)).collect();
+    let rows: Vec<Row> = all.iter().map(|(preset, mode)| camera(preset, mode)).collect();
     let list = List {
         title: "Known cameras",
         name: "Search the known cameras",
@@ -37,7 +37,7 @@ pub fn cameras_ui(ui: &mut Ui, cx: &mut AppContext<'_>, destination: Destination
 
 /// Draws the dialog with the known sizes.
 pub fn sizes_ui(ui: &mut Ui, cx: &mut AppContext<'_>) {
-    let rows: Vec<Found> = SIZES.iter().map(size).collect();
+    let rows: Vec<Row> = SIZES.iter().map(size).collect();
     let list = List {
         title: Helper::Size.title(),
         name: "Search the known sizes",
@@ -62,17 +62,17 @@ struct List {
 
 impl List {
     /// Draws it. Returns the place of the row that was chosen, with which it closes.
-    fn ui(self, ui: &mut Ui, cx: &mut AppContext<'_>, rows: &[Found]) -> Option<usize> {
+    fn ui(self, ui: &mut Ui, cx: &mut AppContext<'_>, rows: &[Row]) -> Option<usize> {
         let frame = DialogFrame {
             id: self.id,
             title: self.title,
-            max_width: theme::KNOWN_WIDTH,
+            max_width: theme::PRESETS_WIDTH,
         };
         let search = Search {
             id: self.id,
             name: self.name,
             example: self.example,
-            height: ui.ctx().content_rect().height() - theme::KNOWN_FRAME_HEIGHT,
+            height: ui.ctx().content_rect().height() - theme::PRESETS_FRAME_HEIGHT,
             takes_focus: !cx.platform.has_touch(),
         };
         let response = frame.ui(ui, |ui| {
@@ -84,7 +84,6 @@ impl List {
         });
         let (chosen, is_cancelled) = response.inner;
         if chosen.is_some() || is_cancelled || response.should_close() {
-            search.close(ui);
             cx.commands.push(self.close);
         }
         chosen
@@ -92,7 +91,7 @@ impl List {
 }
 
 /// A camera with images of one size.
-fn camera(preset: &Preset, mode: &Mode) -> Found {
+fn camera(preset: &Preset, mode: &Mode) -> Row {
     let title = match (mode.width, mode.height) {
         (Some(width), Some(height)) => format!("{}, {width} × {height} px", preset.label),
         (Some(width), None) => format!("{}, {width} px wide", preset.label),
@@ -101,7 +100,7 @@ fn camera(preset: &Preset, mode: &Mode) -> Found {
     let baseline = preset
         .baseline
         .map_or_else(|| "no stereo pair".to_owned(), |baseline| format!("b {}", millimeters(baseline)));
-    Found {
+    Row {
         title,
         detail: format!(
             "fx {} px, {baseline}. {}: {}",
@@ -114,12 +113,12 @@ fn camera(preset: &Preset, mode: &Mode) -> Found {
 }
 
 /// An object.
-fn size(size: &Size) -> Found {
+fn size(size: &Size) -> Row {
     let value = match size.sigma {
         Some(sigma) => format!("({} ± {}) mm", number(size.size.m() * 1000.0), number(sigma.m() * 1000.0)),
         None => format!("{}, how exact is not known", millimeters(size.size)),
     };
-    Found {
+    Row {
         title: size.label.to_owned(),
         detail: format!("{value}. {}", size.source),
         words: size.name,
