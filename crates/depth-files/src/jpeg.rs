@@ -12,7 +12,9 @@ pub(crate) struct Jpeg<'a> {
 
 const EXIF: &[u8] = b"Exif\0";
 
-pub(crate) fn is_jpeg(bytes: &[u8]) -> bool {
+/// Whether a file that begins so is a JPEG. What it says of its camera stands before its pixels: of one larger than
+/// [`LARGEST`](crate::LARGEST) the beginning is enough.
+pub fn is_jpeg(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\xff\xd8\xff")
 }
 

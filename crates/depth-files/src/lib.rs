@@ -41,6 +41,7 @@ pub use camera::{Basis, Camera};
 pub use carrier::LARGEST;
 pub use format::Format;
 pub use found::Found;
+pub use jpeg::is_jpeg;
 pub use pair::Pair;
 pub use photo_warning::PhotoWarning;
 pub use place::{Origin, Place};

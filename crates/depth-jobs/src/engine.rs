@@ -108,6 +108,21 @@ mod tests {
     }
 
     #[test]
+    fn the_window_knows_a_photograph_and_the_largest_file_as_the_readers_do() {
+        assert_eq!(crate::LARGEST_FILE, depth_files::LARGEST);
+        for begin in [
+            b"\xff\xd8\xff\xe0".as_slice(),
+            b"\xff\xd8\xff",
+            b"\xff\xd8",
+            b"",
+            b"%YAML",
+            b"\x89PNG",
+        ] {
+            assert_eq!(crate::is_photograph(begin), depth_files::is_jpeg(begin), "{begin:?}");
+        }
+    }
+
+    #[test]
     fn a_calibration_comes_out_with_what_it_says_and_where() {
         let mut engine = Engine::default();
         start(&mut engine, 7, MIDDLEBURY);

@@ -11,9 +11,9 @@ use crate::quantity::{Length, Pixels};
 /// Something that says a focal length, with the size of the image and sometimes with the sensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fact {
-    /// Along the rows, K[0][0].
+    /// Along the rows, `K[0][0]`.
     Fx(Pixels),
-    /// Along the columns, K[1][1].
+    /// Along the columns, `K[1][1]`.
     Fy(Pixels),
     /// From the left edge of the image to the right one.
     HorizontalView(Angle),
