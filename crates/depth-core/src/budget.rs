@@ -95,15 +95,21 @@ impl Model {
     ///
     /// Source: JCGM 100:2008 (GUM), 5.1.3: each input's own term of the sum of squares.
     pub fn variance_budget(&self) -> Budget {
-        let total = self.relative_sigma();
-        let part = |relative: f64| if total == 0.0 { 0.0 } else { relative / total };
         let sources = self.relative_sigmas();
         let [.., (_, of_doffs)] = sources;
+        // As parts of the largest: the smallest numbers have few digits, and so has the root of the sum of their squares.
+        let most = sources.iter().map(|(_, relative)| *relative).fold(0.0, f64::max);
+        let part = |relative: f64| if most == 0.0 { 0.0 } else { relative / most };
+        let total: f64 = sources.iter().map(|(_, relative)| part(*relative) * part(*relative)).sum();
         let shares = sources.map(|(source, relative)| Share {
             source,
-            share: part(relative) * part(relative),
+            share: if most == 0.0 {
+                0.0
+            } else {
+                part(relative) * part(relative) / total
+            },
         });
-        let len = match total {
+        let len = match most {
             0.0 => 0,
             _ => shares.len() - usize::from(of_doffs == 0.0),
         };

@@ -199,6 +199,15 @@ proptest! {
         }
     }
 
+    /// Of relative uncertainties that are too small for all digits as well.
+    #[test]
+    fn shares_add_to_one_whatever_the_uncertainty(exponent in -20_i32..0, other in -20_i32..0) {
+        let relative = |exponent: i32| Measured::from_base(1.0, 1e-300 * 10_f64.powi(exponent));
+        let model = Model::stereo(relative(exponent), Measured::from_base(1.0, 0.0), relative(other), Measured::from_base(0.0, 0.0)).unwrap();
+        let sum: f64 = model.variance_budget().iter().map(|share| share.share).sum();
+        prop_assert!((sum - 1.0).abs() < 1e-12, "{}", sum);
+    }
+
     #[test]
     fn shares_add_to_one_or_there_is_no_uncertainty(model in any_model()) {
         let Ok(model) = model else { return Ok(()) };
