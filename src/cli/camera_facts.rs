@@ -3,6 +3,7 @@
 use crate::core::angle::{Angle, AngleUnit};
 use crate::core::camera::{Fact, FilmExtent};
 use crate::core::quantity::{Length, LengthUnit, Pixels};
+use depth_text::choices::sensor_of_type;
 use depth_text::number::{self, Notation, Primes};
 use depth_text::unit::Unit;
 
@@ -137,16 +138,6 @@ pub(super) fn optional(option: &str, text: Option<&str>, quantity: Quantity) -> 
     text.map(|text| read(option, text, quantity)).transpose()
 }
 
-/// The diagonal of a sensor whose type `text` is, such as 1/2.3in, in millimeters: 18 mm/N where N is above 2, else 16 mm/N.
-///
-/// Source: vendors' tables; an inch of these types is that of the tube of a vidicon.
-fn of_type(text: &str) -> Option<f64> {
-    let rest = text.trim().strip_prefix("1/")?;
-    let number: String = rest.chars().take_while(|one| one.is_ascii_digit() || *one == '.').collect();
-    let part: f64 = number.parse().ok().filter(|part| *part > 0.0)?;
-    Some(if part > 2.0 { 18.0 / part } else { 16.0 / part })
-}
-
 /// The number in `text`, above 0, in the base unit of its quantity: pixels, radians, meters. Err: a sentence.
 pub(super) fn read(option: &str, text: &str, quantity: Quantity) -> Result<f64, String> {
     let example = match quantity {
@@ -157,7 +148,7 @@ pub(super) fn read(option: &str, text: &str, quantity: Quantity) -> Result<f64, 
         Quantity::Micrometers => "3um",
         Quantity::Plain => "1.7",
     };
-    if let Some(diagonal) = of_type(text).filter(|_| option.starts_with("sensor-")) {
+    if let Some((diagonal, _)) = sensor_of_type(text).filter(|_| option.starts_with("sensor-")) {
         return Err(format!(
             "--{option} {text} is the type of a sensor and no length: its diagonal is about {} mm. Give --sensor-diagonal {}mm, or better its width.",
             number((diagonal * 100.0).round() / 100.0),

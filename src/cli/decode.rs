@@ -231,7 +231,10 @@ impl Given {
             return Err(NoDisparity::OutOfRange);
         }
         let warnings = is_behind.then(|| {
-            Warning::of_results(&"A disparity of 0 or less is no distance: the cameras may be swapped, or doffs has to be added.")
+            Warning::of_results(&match disparity {
+                Some(disparity) if disparity.px() == 0.0 => "A disparity of 0 is infinitely far away, unless doffs has to be added.",
+                _ => "A disparity below 0 is no distance: the cameras may be swapped, or doffs has to be added.",
+            })
         });
         Ok(Answer {
             disparity_px: disparity.map(Pixels::px),

@@ -186,5 +186,5 @@ fn no_fact_is_overruled_in_silence() {
     assert!(warnings(&with("--hfov 1.57")).contains("1.57rad"));
     let refused = run(&format!("camera {size} --lens 4mm --sensor-diagonal 1/2.3in"));
     let said = String::from_utf8(refused.stderr).unwrap();
-    assert!(refused.status.code() == Some(2) && said.contains("7.83 mm"), "{said}");
+    assert!(refused.status.code() == Some(2) && said.contains("7.67 mm"), "{said}");
 }

@@ -84,7 +84,7 @@ fn a_preset_fills_in_what_is_not_typed() {
 #[test]
 fn what_is_not_known_of_a_camera_is_said() {
     for (arguments, words) in [
-        ("presets d435", "realsense-d435i"),
+        ("presets realsense", "realsense-d435i"),
         ("presets toaster", "lists them"),
         ("presets zed --width 640", "1280 x 720"),
         ("presets middlebury-2006 --width 640", "does not say"),

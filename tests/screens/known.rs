@@ -230,7 +230,11 @@ fn another_mode_of_the_sensor_stands_beside_the_first() {
     program.press("Another mode…");
     program.type_into("Width after resizing or binning", "768");
     program.type_into("Width of the part that is kept", "800");
-    assert!(program.says("The part that is kept reaches out of the image"), "{}", program.text());
+    assert!(
+        program.says("The part that is kept reaches out of the resized image"),
+        "{}",
+        program.text()
+    );
     program.type_into("Width of the part that is kept", "640");
     assert!(program.says("fx: 631.343 → 378.806 px"), "{}", program.text());
     program.press("Add as another rig");

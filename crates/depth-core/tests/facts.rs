@@ -139,7 +139,12 @@ fn three_views_are_named_with_what_each_says_and_the_first_is_followed() {
     ];
     let answer = stated([1280.0, 800.0], &facts).solve().unwrap();
     assert!((answer.fx.px() - 883.2).abs() < 0.06);
-    let [CameraRemark::Contradiction { is_of_fy: false, facts }] = &answer.remarks[..] else {
+    let [
+        CameraRemark::Contradiction {
+            is_of_fy: false, facts, ..
+        },
+    ] = &answer.remarks[..]
+    else {
         panic!("{:?}", answer.remarks)
     };
     let said: Vec<f64> = facts.iter().map(|(_, f)| (f.px() * 10.0).round() / 10.0).collect();

@@ -28,6 +28,11 @@ pub enum PhotoWarning {
         /// The digital zoom, where they differ by so many times.
         zoom: Option<f64>,
     },
+    /// Nothing else says whether the size of a pixel is that of this picture.
+    PlaneAlone {
+        /// How wide the sensor is by it.
+        sensor: Length,
+    },
     /// An equivalent on 35 mm film is meant in one of two ways.
     FilmExtents {
         /// Of the photograph, as it was taken.
@@ -108,6 +113,12 @@ impl fmt::Display for PhotoWarning {
                     brief(other.1.px())
                 )
             }
+            Self::PlaneAlone { sensor } => write!(
+                f,
+                "FocalPlaneXResolution often stays that of another size when a photo is resized, and nothing else here says so. By it the sensor is {} mm \
+                 wide: if that of this camera is wider, fx is smaller in the same measure.",
+                brief(rounded(sensor.in_unit(LengthUnit::Millimeter)))
+            ),
             Self::FilmExtents { size, ratio } => write!(
                 f,
                 "A 35 mm equivalent is counted by the diagonal (CIPA) or by the width, and EXIF does not say which: at {} fx by the diagonal is {:.1} % \
@@ -164,6 +175,11 @@ impl PhotoWarning {
             _ => Ok(()),
         }
     }
+}
+
+/// To a tenth.
+fn rounded(millimeters: f64) -> f64 {
+    (millimeters * 10.0).round() / 10.0
 }
 
 fn zoom(f: &mut fmt::Formatter<'_>, ratio: f64, is_applied: bool) -> fmt::Result {

@@ -85,8 +85,19 @@ pub struct Size {
 
 include!(concat!(env!("OUT_DIR"), "/known.rs"));
 
+/// Whether each word of `typed` is in `all`, in capital or small letters.
+fn has_words(all: &str, typed: &str) -> bool {
+    let (all, typed) = (all.to_ascii_lowercase(), typed.to_ascii_lowercase());
+    !typed.is_empty() && typed.split_whitespace().all(|word| all.contains(word))
+}
+
+/// The only one, where there are not several.
+fn only<T>(mut all: impl Iterator<Item = T>) -> Option<T> {
+    all.next().filter(|_| all.next().is_none())
+}
+
 impl Size {
-    /// The size of this name or label, in capital or small letters.
+    /// The size of this name or label, in capital or small letters, else the only one that has all these words.
     ///
     /// ```
     /// use depth_presets::Size;
@@ -96,23 +107,27 @@ impl Size {
     pub fn named(name: &str) -> Option<&'static Self> {
         let name = name.trim();
         let is_it = |size: &&Self| size.name.eq_ignore_ascii_case(name) || size.label.eq_ignore_ascii_case(name);
-        SIZES.iter().find(is_it)
+        let words = |size: &&Self| has_words(&format!("{} {}", size.name, size.label), name);
+        SIZES.iter().find(is_it).or_else(|| only(SIZES.iter().filter(words)))
     }
 }
 
 impl Preset {
-    /// The preset of this name or label, in capital or small letters.
+    /// The preset of this name or label, in capital or small letters, else the only one that has all these words.
     ///
     /// ```
     /// use depth_presets::Preset;
     ///
     /// assert_eq!(Preset::named("RealSense D435i"), Preset::named("realsense-d435i"));
+    /// assert_eq!(Preset::named("D435i"), Preset::named("realsense-d435i"));
+    /// assert_eq!(Preset::named("realsense"), None, "there are several");
     /// assert_eq!(Preset::named("no such camera"), None);
     /// ```
     pub fn named(name: &str) -> Option<&'static Self> {
         let name = name.trim();
         let is_it = |preset: &&Self| preset.name.eq_ignore_ascii_case(name) || preset.label.eq_ignore_ascii_case(name);
-        PRESETS.iter().find(is_it)
+        let words = |preset: &&Self| has_words(&format!("{} {}", preset.name, preset.label), name);
+        PRESETS.iter().find(is_it).or_else(|| only(PRESETS.iter().filter(words)))
     }
 
     /// The mode of this width, or the first one; `None` where there is no mode of it.

@@ -42,6 +42,39 @@ const fn sensor(name: &'static str, width_mm: f64, height_mm: f64) -> SensorForm
     SensorFormat { name, width_mm, height_mm }
 }
 
+/// The format that is meant by the type of a sensor, such as "1/2.3 in", and its diagonal in millimeters: of a type that is not in the list
+/// 18 mm to the inch below ½″, and 16 mm from there on. `None` where the text is no type.
+///
+/// ```
+/// use depth_text::choices::sensor_of_type;
+///
+/// let (diagonal_mm, format) = sensor_of_type("1/2.3in").unwrap();
+/// assert_eq!(format.unwrap().name, "1/2.3″");
+/// assert!((diagonal_mm - 7.666).abs() < 1e-3);
+/// assert_eq!(sensor_of_type("4.8 mm"), None);
+/// ```
+///
+/// Source: as [`SENSOR_FORMATS`].
+pub fn sensor_of_type(text: &str) -> Option<(f64, Option<&'static SensorFormat>)> {
+    let text = text.trim();
+    let inches = ["inch", "in", "″", "\"", "''"].iter().find_map(|unit| text.strip_suffix(unit));
+    let number = inches.unwrap_or(text).trim_end();
+    let of = |text: &str| {
+        let (whole, part) = text.split_once('/').unwrap_or((text, "1"));
+        let inches = whole.trim().parse::<f64>().ok()? / part.trim().parse::<f64>().ok()?;
+        (inches > 0.0 && inches.is_finite()).then_some(inches)
+    };
+    // Without a unit 6.4/2 is a sum of its own.
+    let is_type = ["1/", "2/", "4/"].iter().any(|begin| number.starts_with(begin));
+    let size = of(number).filter(|_| inches.is_some() || is_type)?;
+    let is_it = |format: &&SensorFormat| of(format.name.trim_end_matches('″')).is_some_and(|other| (other / size - 1.0).abs() < 1e-6);
+    let format = SENSOR_FORMATS.iter().find(is_it);
+    let diagonal = format.map_or(size * if size < 0.5 { 18.0 } else { 16.0 }, |format| {
+        format.width_mm.hypot(format.height_mm)
+    });
+    Some((diagonal, format))
+}
+
 /// Matching errors that people state, smallest first: one σ of the disparity in px, and who states it, of what.
 pub const MATCHING_ERRORS: [(f64, &str); 7] = [
     (0.08, "RealSense on good texture (librealsense #3904)"),

@@ -195,6 +195,8 @@ variants! {
         MultipleOfWidth { number: String, of_width: Angle, of_half: Angle },
         /// An angle in degrees whose number looks like one in radians.
         AngleInRadians { key: Key, number: String },
+        /// The type of a sensor where its size is asked for, and its diagonal in millimeters.
+        SensorType { text: String, diagonal_mm: f64 },
         /// A field of view in degrees that would be usual in radians.
         DegreesOrRadians { number: String },
 

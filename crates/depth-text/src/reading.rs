@@ -2,11 +2,14 @@
 //!
 //! A unit that was typed is converted or refused, never dropped, and a σ that cannot be read is a note, never zero.
 
+use crate::choices::sensor_of_type;
 use crate::entry::Entry;
 use crate::field::{Key, Kind};
+use crate::fields;
 use crate::note::{Fix, Issue, Note};
 use crate::number::{self, Notation, NumberError, Typed, plain, words_after_squares};
 use crate::unit::Unit;
+use depth_core::quantity::LengthUnit;
 
 /// What a field means.
 #[derive(Clone, Debug, PartialEq)]
@@ -129,6 +132,9 @@ pub fn read(key: Key, entry: &Entry) -> Result<Option<Reading>, Note> {
         return Ok(None);
     }
     let text = entry.value_text();
+    if let Some(note) = sensor_type(key, entry) {
+        return Err(note);
+    }
     if !key.has_sigma && text != entry.text {
         return Err(Note::error(key, Issue::NoSigma { key }));
     }
@@ -252,6 +258,27 @@ pub fn read_with_sigma(key: Key, entry: &Entry) -> Result<Option<Reading>, Note>
         sigma: value,
         ..reading.with_sigma(sigma)
     }))
+}
+
+/// That the type of a sensor was typed for its size, with what is meant.
+fn sensor_type(key: Key, entry: &Entry) -> Option<Note> {
+    let at = [fields::SENSOR_WIDTH, fields::SENSOR_HEIGHT, fields::SENSOR_DIAGONAL]
+        .iter()
+        .position(|one| *one == key)?;
+    let is_in_inches = entry.unit == Some(LengthUnit::Inch);
+    let text = if is_in_inches {
+        format!("{} in", entry.text.trim())
+    } else {
+        entry.text.clone()
+    };
+    let (diagonal_mm, format) = sensor_of_type(&text)?;
+    let sides = format.map(|format| [format.width_mm, format.height_mm]);
+    let meant = sides.and_then(|sides| sides.get(at).copied()).or((at == 2).then_some(diagonal_mm));
+    let fix = meant.map(|mm| {
+        let number = Notation::SHORT.plain(mm, 4);
+        Fix::new(format!("{number} mm"), Entry::new(number, Some(LengthUnit::Millimeter)))
+    });
+    Some(Note::error(key, Issue::SensorType { text, diagonal_mm }).with_fixes(fix.into_iter().collect()))
 }
 
 fn wrong_unit(key: Key, entry: &Entry, typed: &Typed, unit: Unit) -> Issue {

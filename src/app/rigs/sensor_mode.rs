@@ -53,7 +53,7 @@ impl ModeProblem {
             Self::SeeNotes => "",
             Self::Nothing => "Type the width after resizing, or the size of the part that is kept, or both.",
             Self::Outside => {
-                "The part that is kept reaches out of the image: make it smaller, or begin farther to the left and at the top."
+                "The part that is kept reaches out of the resized image. Make it smaller, or begin farther to the left and at the top. If the mode comes from more rows than this image has, put the size of the whole sensor into the rig first."
             }
         }
     }

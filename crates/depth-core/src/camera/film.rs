@@ -14,7 +14,7 @@ const FILM_HEIGHT: f64 = 24.0;
 pub enum FilmExtent {
     /// The diagonal, as CIPA has it: f = f₃₅·√(W² + H²)/√(36² + 24²).
     Diagonal,
-    /// The width: f = f₃₅·W/36. At 4:3 the two differ by 4 %.
+    /// The width, which is that of the longer side: f = f₃₅·W/36. At 4:3 the two differ by 4 %.
     Width,
 }
 
@@ -23,7 +23,8 @@ impl FilmExtent {
     fn pixels_per_millimeter(self, width: Pixels, height: Pixels) -> f64 {
         match self {
             Self::Diagonal => diagonal(width, height).px() / FILM_WIDTH.hypot(FILM_HEIGHT),
-            Self::Width => width.px() / FILM_WIDTH,
+            // Who holds a camera upright holds its film upright.
+            Self::Width => width.px().max(height.px()) / FILM_WIDTH,
         }
     }
 

@@ -6,6 +6,7 @@
 //! `None` from a function here means: an input is not positive, or the result cannot be represented.
 
 mod facts;
+mod facts_solved;
 mod film;
 mod focal_length;
 mod ground;
@@ -15,7 +16,7 @@ mod projection;
 mod sensor;
 mod tilt;
 
-pub use facts::{CameraAnswer, CameraFacts, CameraProblem, CameraRemark, Fact};
+pub use facts::{CameraAnswer, CameraFacts, CameraProblem, CameraRemark, Cause, Fact};
 pub use film::{FilmExtent, focal_length_under_water, focused_image_distance, focused_lens};
 pub use focal_length::{
     diagonal, focal_length_from_field_of_view, focal_length_from_multiple, focal_length_from_pixel_pitch,

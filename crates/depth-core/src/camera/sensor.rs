@@ -53,6 +53,19 @@ pub enum SensorRemark {
         /// Pixels of the image.
         in_image: Pixels,
     },
+    /// The sensor has `times` as many pixels along both sides as the image: they were binned or the image was resized, or its middle was cut out.
+    Multiple {
+        /// So many times.
+        times: f64,
+        /// The size of a pixel of the sensor, which is followed.
+        pitch: Length,
+    },
+    /// Only the height of the sensor says how large a pixel is: rows that were cut would be taken for larger pixels.
+    OnlyHeight,
+    /// Only the width of the sensor does, and the image stands: that of a sensor that lies is along the columns.
+    Standing,
+    /// A pixel of a size that no sensor has.
+    Pitch(Length),
     /// Both sides of the sensor give another diagonal than the one that was stated, which is not used.
     Diagonal {
         /// The one that was stated.
@@ -103,6 +116,17 @@ impl Sensor {
         let Some(pitch) = pitch.filter(|pitch| judge::positive(*pitch).is_ok()).map(Length::from_m) else {
             return Ok((None, remarks));
         };
+        remarks.extend(self.of_one_side(size));
+        let [least, most] = PITCHES_M;
+        if !(least..=most).contains(&pitch.m()) {
+            remarks.push(SensorRemark::Pitch(pitch));
+        }
+        if let [Some(across), Some(down)] = sides.map(|side| side.map(|side| side.m() / pitch.m()))
+            && let Some(times) = same_multiple(across / width.px(), down / height.px())
+        {
+            remarks.push(SensorRemark::Multiple { times, pitch });
+            return Ok((Some(pitch), remarks));
+        }
         for (side, length, in_image) in [(Side::Height, down, height), (Side::Width, across, width)] {
             let Some(on_sensor) = length.map(|length| Pixels::new(length.m() / pitch.m())) else {
                 continue;
@@ -127,6 +151,16 @@ impl Sensor {
         Ok((Some(pitch), remarks))
     }
 
+    /// What may be wrong where only one side says how large a pixel is.
+    fn of_one_side(self, [width, height]: [Pixels; 2]) -> Option<SensorRemark> {
+        let is_alone = self.pitch.is_none() && self.diagonal.is_none();
+        match (self.width, self.height) {
+            (None, Some(_)) if is_alone => Some(SensorRemark::OnlyHeight),
+            (Some(_), None) if is_alone && height.px() > width.px() => Some(SensorRemark::Standing),
+            _ => None,
+        }
+    }
+
     /// Width and height, one of them from the diagonal where it was not stated.
     fn sides(self, remarks: &mut Vec<SensorRemark>) -> Result<[Option<Length>; 2], ShortDiagonal> {
         let Some(stated) = self.diagonal else {
@@ -149,6 +183,16 @@ impl Sensor {
             (None, None) => Ok([None, None]),
         }
     }
+}
+
+/// The pixels of sensors lie between these, in meters: those of phones begin at 0.56 µm, those of astronomy end at 24 µm.
+const PITCHES_M: [f64; 2] = [0.3e-6, 100e-6];
+
+/// The whole number from 2 on that both ratios are, where they are.
+fn same_multiple(across: f64, down: f64) -> Option<f64> {
+    let times = across.round();
+    let is_near = |ratio: f64| (ratio / times - 1.0).abs() <= TOLERANCE;
+    (times >= 2.0 && is_near(across) && is_near(down)).then_some(times)
 }
 
 /// Whether the sides fit an image of `size` only the other way round: a phone was held upright.

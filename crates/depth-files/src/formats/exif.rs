@@ -69,7 +69,8 @@ pub(super) fn read(photo: &Photo) -> Result<Found, Refusal> {
 fn in_order(plane: Option<Way>, film: Vec<Way>, zoom: Option<f64>) -> (Vec<Way>, Option<PhotoWarning>) {
     let Some(plane) = plane else { return (film, None) };
     let Some(trusted) = film.first() else {
-        return (vec![plane], None);
+        let alone = plane.sensor.map(|sensor| PhotoWarning::PlaneAlone { sensor });
+        return (vec![plane], alone);
     };
     let fx = |way: &Way| way.focal[0].px();
     let agrees_times = |way: &Way, times: f64| {

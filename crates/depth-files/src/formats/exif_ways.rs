@@ -36,6 +36,8 @@ pub(super) struct Way {
     pub(super) focal: [Pixels; 2],
     /// 1 σ, as a part of it.
     pub(super) relative: f64,
+    /// How wide the part of the sensor is that the picture shows, where the way says it.
+    pub(super) sensor: Option<Length>,
 }
 
 /// What became of the picture after it was taken.
@@ -123,6 +125,7 @@ pub(super) fn by_plane(facts: &Facts, photo: &Photo, ignored: &mut Vec<String>) 
             if is_y { ", FocalPlaneYResolution" } else { "" }
         ),
         focal: if is_turned { [fy, fx] } else { [fx, fy] },
+        sensor: Some(Length::from_m(lens_length.m() * f64::from(photo.size[0]) / fx.px())),
         relative: (rounding(lens) / lens.positive()?).hypot(NOMINAL).hypot(NOMINAL),
     })
 }
@@ -144,6 +147,7 @@ pub(super) fn by_film(facts: &Facts, photo: &Photo, ignored: &mut Vec<String>) -
             name: format!("35 mm equivalent {} mm{by}", brief(millimeters)),
             how: format!("FocalLengthIn35mmFilm{by}"),
             focal: [focal; 2],
+            sensor: None,
             relative: (0.5 / 3_f64.sqrt() / millimeters).hypot(NOMINAL),
         })
     };

@@ -1,7 +1,7 @@
 //! What is to be said of facts of a camera, for the window and for the command line.
 
 use crate::number::{Notation, rounded_to, with_minus};
-use depth_core::camera::{CameraProblem, CameraRemark, SensorRemark, Side};
+use depth_core::camera::{CameraProblem, CameraRemark, Cause, SensorRemark, Side};
 use depth_core::quantity::{Length, Pixels};
 
 /// What a surface calls the things that its sentences name.
@@ -52,7 +52,20 @@ impl CameraWords<'_> {
     pub fn remark(&self, remark: &CameraRemark) -> String {
         match remark {
             CameraRemark::Sensor(remark) => self.sensor_remark(remark),
-            CameraRemark::Contradiction { is_of_fy, facts } => self.contradiction(*is_of_fy, facts),
+            CameraRemark::Contradiction { is_of_fy, facts, cause } => self.contradiction(*is_of_fy, facts, *cause),
+            CameraRemark::Whole {
+                at,
+                shape: [long, short],
+                focal_length,
+            } => format!(
+                "{} is that of the whole picture. If this image was cut from one of {long}:{short}, fx is {} px.",
+                (self.stated)(*at),
+                number(focal_length.px())
+            ),
+            CameraRemark::View(view) => format!(
+                "A diagonal view of {}° is hardly that of a camera: check the units.",
+                number(view.degrees())
+            ),
             CameraRemark::NotSquare { fx, fy } => format!(
                 "fx {} px and fy {} px differ by {} %: pixels are rarely so far from square.",
                 number(fx.px()),
@@ -72,7 +85,7 @@ impl CameraWords<'_> {
                 )
             }
             CameraRemark::UnderWater => format!(
-                "Was fx calibrated in the water? Then {}, as it is in fx already. fx and fy are 1.333 times those in air, an approximation for a flat window and the middle of the image.",
+                "Was fx calibrated in the water? Then {}, as it is in fx already. fx and fy are 1.333 times those in air, an approximation for a flat window (Treibitz et al., 2012): it is 7 % off where a ray comes at 30° in air, and no more than 97° of the water are seen.",
                 self.dry
             ),
         }
@@ -95,6 +108,19 @@ impl CameraWords<'_> {
                     whole(in_image)
                 )
             }
+            SensorRemark::Multiple { times, pitch } => format!(
+                "The sensor has {} times as many rows and columns as the image. If the middle was cut out, the focal length is as it is said here; if pixels were binned or the image was resized, a pixel of the image is {} and the focal length {} times shorter.",
+                number(times),
+                micrometers(Length::from_m(pitch.m() * times)),
+                number(times)
+            ),
+            SensorRemark::OnlyHeight => {
+                "Only the height of the sensor says how large a pixel is: if rows were cut, the focal length is larger. State its width or the pixel pitch too.".to_owned()
+            }
+            SensorRemark::Standing => {
+                "The image stands, and the width of the sensor is taken along its rows. If the sensor lies and the camera was turned, state its height instead.".to_owned()
+            }
+            SensorRemark::Pitch(pitch) => format!("A pixel of {} is no sensor’s: most have 0.5 to 30 µm. Check the units.", micrometers(pitch)),
             SensorRemark::Fewer {
                 side,
                 pitch,
@@ -117,15 +143,31 @@ impl CameraWords<'_> {
         }
     }
 
-    fn contradiction(&self, is_of_fy: bool, facts: &[(usize, Pixels)]) -> String {
+    fn contradiction(&self, is_of_fy: bool, facts: &[(usize, Pixels)], cause: Option<Cause>) -> String {
         let say = |(at, f): &(usize, Pixels)| format!("{} is {} px", (self.stated)(*at), number(f.px()));
         let all: Vec<String> = facts.iter().map(say).collect();
         let first = facts.first().map(|(at, _)| (self.called)(*at)).unwrap_or_default();
         format!(
-            "These exclude one another: {}. Perhaps rows or columns of the sensor were cut, or a view is that of the image before it was rectified. {} follows {first}.",
+            "These exclude one another: {}. {} {} follows {first}.",
             all.join(", "),
+            self.cause(cause),
             if is_of_fy { "fy" } else { "fx" },
         )
+    }
+
+    fn cause(&self, cause: Option<Cause>) -> String {
+        match cause {
+            Some(Cause::Fisheye(projection)) => format!("They agree for an {} fisheye.", projection.name()).replace("an s", "a s"),
+            Some(Cause::Cut { at, side, before, now }) => format!(
+                "{} would be that of {} {}: perhaps they were cut to {}.",
+                (self.stated)(at),
+                whole(before),
+                lines(side),
+                whole(now)
+            ),
+            Some(Cause::Film) => "An equivalent is counted by the diagonal (CIPA) or by the width: it cannot be both.".to_owned(),
+            None => "Perhaps rows or columns of the sensor were cut, or one is of the image before it was rectified or resized.".to_owned(),
+        }
     }
 
     /// Why there is no answer; of a view with the name of the lens that cannot have it.

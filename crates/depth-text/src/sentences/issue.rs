@@ -106,6 +106,12 @@ impl Display for Issue {
                 )
         }
             Self::AngleInRadians { key, number } => write!(f, "Is {number} in radians? As degrees it is almost nothing for {}.", key.noun),
+            Self::SensorType { text, diagonal_mm } => write!(
+                f,
+                "{} is the type of a sensor, not a length: its diagonal is about {} mm. Type a size from the data sheet.",
+                quoted(text),
+                significant(*diagonal_mm, 3)
+            ),
             Self::DegreesOrRadians { number } => write!(f, "Is {number} in radians? A field of view of {number}° is a telescope’s."),
             Self::UnusualUnitOrSquares { number, unit, better } => write!(
                 f,

@@ -75,7 +75,7 @@ impl Stored {
     pub fn eight_bits(self, number: f64) -> Option<Issue> {
         let has_16_bits = matches!(
             self,
-            Self::Disparity(Encoding::Kitti | Encoding::Cityscapes) | Self::Depth(DepthEncoding::Steps { .. })
+            Self::Disparity(Encoding::Kitti | Encoding::Cityscapes | Encoding::KinectV1) | Self::Depth(DepthEncoding::Steps { .. })
         );
         (has_16_bits && number > 0.0 && number <= 255.0).then(|| Issue::EightBits { number: plain(number) })
     }
