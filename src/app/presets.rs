@@ -100,10 +100,13 @@ fn camera(preset: &Preset, mode: &Mode) -> Row {
     let baseline = preset
         .baseline
         .map_or_else(|| "no stereo pair".to_owned(), |baseline| format!("b {}", millimeters(baseline)));
+    let zero = preset
+        .zero
+        .map_or_else(String::new, |zero| format!(", front glass {} in front of zero", millimeters(zero)));
     Row {
         title,
         detail: format!(
-            "fx {} px, {baseline}. {}: {}",
+            "fx {} px, {baseline}{zero}. {}: {}",
             number(mode.focal_length.px()),
             capital(preset.basis.name()),
             preset.source

@@ -201,7 +201,7 @@ fn a_camera_that_everybody_knows_is_a_rig_with_its_source() {
     program.type_into(D, "20");
     program.show("Rigs");
     program.press("Add a known camera…");
-    program.press("RealSense D435i, 640 × 480 px. fx 378.806 px, b 49.864 mm. One unit: librealsense, unit tests");
+    program.press("RealSense D435i, 640 × 480 px. fx 378.806 px, b 49.864 mm, front glass 4.2 mm in front of zero. One unit: librealsense, unit tests");
     assert_eq!(
         (program.value("Name"), program.value(FX)),
         ("RealSense D435i".to_owned(), "378.806".to_owned())

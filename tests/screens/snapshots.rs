@@ -514,6 +514,26 @@ fn known_sizes_and_cameras_look_as_before() {
 }
 
 #[test]
+fn another_mode_and_a_stored_depth_look_as_before() {
+    look("another-mode", &DIALOG, |program| {
+        rigs::open(program, Ok(vec![rigs::file("calib.txt", rigs::MIDDLEBURY)]));
+        program.press("Add to rigs");
+        program.press("Another mode…");
+        program.type_into("Width after resizing or binning", "320");
+        program.type_into("Height of the part that is kept", "200");
+        program.blur();
+    });
+    look("stored-depth", &DIALOG, |program| {
+        program.mug();
+        program.press("OpenCV × 16, doffs…");
+        program.choose("What is known", "Depth: steps in a meter");
+        program.type_into("Stored value", "1400");
+        program.type_into("Steps in a meter", "1000");
+        program.blur();
+    });
+}
+
+#[test]
 fn camera_facts_look_as_before() {
     look("camera-facts", &TOP, |program| {
         program.press("From lens, FOV or Q…");

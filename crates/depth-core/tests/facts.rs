@@ -3,7 +3,7 @@
 
 use depth_core::angle::Angle;
 use depth_core::camera::{
-    CameraAnswer, CameraFacts, CameraProblem, CameraRemark, Fact, FilmExtent, Projection, Sensor, SensorRemark, Side, diagonal,
+    CameraAnswer, CameraFacts, CameraProblem, CameraRemark, Cause, Fact, FilmExtent, Projection, Sensor, SensorRemark, Side, diagonal,
     focal_length_from_field_of_view, focused_image_distance, focused_lens,
 };
 use depth_core::quantity::{Length, Pixels};
@@ -149,6 +149,96 @@ fn three_views_are_named_with_what_each_says_and_the_first_is_followed() {
     };
     let said: Vec<f64> = facts.iter().map(|(_, f)| (f.px() * 10.0).round() / 10.0).collect();
     assert_eq!(said, [883.2, 841.7, 740.7]);
+}
+
+/// What explains a contradiction, each from the figures of the reference: OV9282's nominal views, a fisheye of 120° over 3.63 mm, rows that
+/// were cut, 26 mm counted in both ways.
+#[test]
+fn a_contradiction_has_a_cause_only_where_one_explains_it() {
+    let cause = |facts: &CameraFacts| {
+        let answer = facts.solve().unwrap();
+        let found = answer.remarks.into_iter().find_map(|remark| match remark {
+            CameraRemark::Contradiction { cause, .. } => Some(cause),
+            _ => None,
+        });
+        found.unwrap()
+    };
+    let view = Angle::from_degrees;
+    let two = [Fact::HorizontalView(view(71.86)), Fact::DiagonalView(view(83.76))];
+    assert_eq!(cause(&stated([1280.0, 800.0], &two)), None, "by chance a fisheye would fit");
+    let fisheye = CameraFacts {
+        sensor: Sensor {
+            diagonal: millimeters(3.63),
+            ..Sensor::default()
+        },
+        ..stated(
+            [2904.0, 2178.0],
+            &[Fact::DiagonalView(view(120.0)), Fact::Lens(Length::from_m(0.001_815))],
+        )
+    };
+    assert_eq!(cause(&fisheye), Some(Cause::Fisheye(Projection::Equisolid)));
+    let cut = [Fact::HorizontalView(view(61.927_51)), Fact::VerticalView(view(48.455_48))];
+    let Some(Cause::Cut {
+        at: 1,
+        side: Side::Height,
+        before,
+        now,
+    }) = cause(&stated([1600.0, 800.0], &cut))
+    else {
+        panic!("rows were cut")
+    };
+    assert!((before.px() - 1200.0).abs() < 0.01 && now == Pixels::new(800.0), "{before:?}");
+    let film = [FilmExtent::Diagonal, FilmExtent::Width].map(|extent| Fact::Film(extent, Length::from_m(0.026)));
+    assert_eq!(cause(&stated([4032.0, 3024.0], &film)), Some(Cause::Film));
+}
+
+#[test]
+fn what_is_of_the_whole_picture_says_what_a_part_of_it_would_be() {
+    let whole = |size: [f64; 2], fact: Fact| {
+        let answer = stated(size, &[fact]).solve().unwrap();
+        answer.remarks.into_iter().find_map(|remark| match remark {
+            CameraRemark::Whole { focal_length, .. } => Some(focal_length.px().round()),
+            _ => None,
+        })
+    };
+    let film = Fact::Film(FilmExtent::Diagonal, Length::from_m(0.026));
+    // 26/43.267·√(1920² + 1440²).
+    assert_eq!(whole([1920.0, 1080.0], film), Some(1442.0));
+    assert_eq!(whole([4032.0, 3024.0], film), None);
+    let webcam = Fact::DiagonalView(Angle::from_degrees(78.0));
+    // ½·√(853.3² + 480²)/tan 39°.
+    assert_eq!(whole([640.0, 480.0], webcam), Some(605.0));
+    assert_eq!(whole([1920.0, 1080.0], webcam), None);
+}
+
+#[test]
+fn binning_and_units_of_a_sensor_are_asked_for() {
+    let sensor = |pitch: f64, sides: [f64; 2]| {
+        let [width, height] = sides.map(millimeters);
+        Sensor {
+            pitch: Some(Length::from_m(pitch)),
+            width,
+            height,
+            diagonal: None,
+        }
+    };
+    let remarks = |sensor: Sensor, size: [f64; 2]| sensor.pitch(size.map(Pixels::new)).unwrap().1;
+    assert!(matches!(
+        remarks(sensor(3e-6, [3.84, 2.4]), [640.0, 400.0])[..],
+        [SensorRemark::Multiple { times: 2.0, .. }]
+    ));
+    assert!(matches!(
+        remarks(sensor(3e-3, [3.84, 2.4]), [1280.0, 800.0])[..],
+        [SensorRemark::Pitch(_), ..]
+    ));
+    let one = |width: Option<Length>, height: Option<Length>| Sensor {
+        width,
+        height,
+        ..Sensor::default()
+    };
+    assert_eq!(remarks(one(None, millimeters(7.2)), [1600.0, 800.0]), [SensorRemark::OnlyHeight]);
+    assert_eq!(remarks(one(millimeters(5.6), None), [1080.0, 1920.0]), [SensorRemark::Standing]);
+    assert_eq!(remarks(one(millimeters(5.6), None), [1920.0, 1080.0]), []);
 }
 
 #[test]

@@ -175,8 +175,10 @@ impl CameraFacts {
             let all: Option<Vec<Pixels>> = facts.iter().map(|fact| other.focal_length(*fact, pitch).ok()).collect();
             all.is_some_and(|all| all.iter().all(|one| all.first().is_some_and(|first| is_within(*one, *first, FITS))))
         };
+        let is_wide = |(_, fact): &(usize, Fact)| fact.view(self.size).is_some_and(|(view, _)| view.degrees() > MOST_OF_A_PINHOLE);
+        let may_be_fisheye = self.projection == Projection::Pinhole && facts.iter().any(is_wide);
         let mut fisheyes = Projection::ALL.into_iter().filter(|one| *one != Projection::Pinhole);
-        if let Some(projection) = fisheyes.find(|one| self.projection == Projection::Pinhole && agrees(*one)) {
+        if let Some(projection) = fisheyes.find(|one| may_be_fisheye && agrees(*one)) {
             return Some(Cause::Fisheye(projection));
         }
         let (_, first) = said.first()?;
