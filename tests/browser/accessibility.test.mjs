@@ -5,7 +5,7 @@ import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { after, before, it, ONE_ENGINE, unless } from './harness.mjs';
 import { background, Key, startBench, until } from './page.mjs';
-import { CLOSES, SCREENS } from './states.mjs';
+import { CLOSES, FIELDS, SCREENS } from './states.mjs';
 
 const script = (name) => readFile(createRequire(import.meta.url).resolve(name), 'utf8');
 const AXE = await script('axe-core/axe.min.js');

@@ -60,7 +60,7 @@ it('the arrow keys lead through a choice, which is one stop of the key Tab', asy
   }
   await page.field('Object height in image (w_img)');
   await page.type(Key.TAB);
-  await until('the next stop', async () => (await (await page.driver.switchTo().activeElement()).getAccessibleName()) === 'Calculate Distance');
+  await until('the next stop', async () => (await (await page.driver.switchTo().activeElement()).getAccessibleName()) === 'Known sizes…');
 });
 
 it('the keyboard leaves the program again', { needs: ['leave a page with Tab'] }, async (test) => {

@@ -4,7 +4,7 @@ import { until } from './page.mjs';
 
 const MIRROR = '#accessible-mirror';
 const FX = 'Focal length (fx)';
-const FIELDS = [FX, 'Camera baseline (b)', 'Disparity (d)', 'Object width in image (w_img)', 'Object real width (w_real)'];
+export const FIELDS = [FX, 'Camera baseline (b)', 'Disparity (d)', 'Object width in image (w_img)', 'Object real width (w_real)'];
 
 async function fillAll(page, ...values) {
   for (const [index, value] of values.entries()) await page.fill(FIELDS[index], value);
