@@ -105,6 +105,3 @@ export const SCREENS = {
     await page.says(/All fields are cleared/);
   },
 };
-
-/** Of these, what closes by itself when the window changes. */
-export const CLOSES = ['the other dialog, with a list open', 'an open menu'];
