@@ -117,5 +117,18 @@ export function steps(page, press) {
     ['Types card short', type(...'card short')],
     ['Tab: what was found', type(TAB)],
     ['Enter: its size is filled in', type(ENTER)],
+    ['To the helper of the focal length', () => focus(page.element('From lens, FOV or Q…', 'button'))],
+    ['Enter: it opens', type(ENTER)],
+    ['To the camera facts', () => focus(page.element('Camera facts…', 'button'))],
+    ['Enter: they open', type(ENTER)],
+    ['To the width of the image', () => focus(page.field('Width of the image'))],
+    ['Types 1920', type(...'1920')],
+    ['Tab: the height', type(TAB)],
+    ['Types 1080', type(...'1080')],
+    ['Tab to a view', tabTo('Diagonal field of view')],
+    ['Types 78', type(...'78')],
+    ['Tab: the equivalent, which follows', type(TAB)],
+    ['Types 50, which excludes it', type(...'50')],
+    ['Escape: it closes', type(ESCAPE)],
   ];
 }
