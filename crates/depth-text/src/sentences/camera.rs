@@ -78,7 +78,7 @@ impl CameraWords<'_> {
                     .map(|(projection, f)| format!("{} {} px", projection.name(), number(f.px())))
                     .collect();
                 format!(
-                    "A view of {}° is rarely that of a pinhole, and a fisheye has another focal length for the same view. {} it would be: {}.",
+                    "A view of {}° is rarely that of a pinhole, and the focal length of a fisheye cannot be had from its angle this way. {} it would be: {}.",
                     number(view.degrees()),
                     self.projection,
                     others.join(", ")
